@@ -1,0 +1,199 @@
+"""`kernel` and `entry`: the only file that imports numba.
+
+A kernel is plain Python in numba's subset. `NUMBA_DISABLE_JIT=1` runs the same
+text uncompiled. An entry is a kernel that Python calls: it is compiled at its
+first call, for one explicit signature, and cached on disk in a folder keyed by
+a digest of every kernel source, because numba's own cache does not notice an
+edit in a called function of another file.
+"""
+
+import hashlib
+import os
+import shutil
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+from numba.core import caching, types
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+KERNEL_ROOMS = ("arithmetic", "engine", "concept", "plant", "loop")
+"""What a compiled kernel can come from, relative to the package; the digest covers all of it."""
+
+KEPT_FOLDERS = 12
+
+F = types.Array(types.float64, 1, "C")
+"""Signature part: a contiguous float64 buffer."""
+I = types.Array(types.int64, 1, "C")  # noqa: E741  the pair of F
+"""Signature part: a contiguous int64 buffer."""
+FF = types.Array(types.float64, 2, "C")
+f8 = types.float64
+i8 = types.int64
+void = types.void
+
+
+def compiled() -> bool:
+    """Return whether kernels are compiled (not `NUMBA_DISABLE_JIT`)."""
+    return not numba.config.DISABLE_JIT
+
+
+def signature(result: Any, *arguments: Any) -> Any:
+    """Return the signature of an entry, from the parts above."""
+    return result(*arguments)
+
+
+def function_type(result: Any, *arguments: Any) -> Any:
+    """Return the signature part of an argument that is itself a kernel (first-class function)."""
+    return types.FunctionType(result(*arguments))
+
+
+def kernel(function: Function) -> Function:
+    """Decorate a function that only other kernels call, in numba's subset."""
+    dispatcher: Function = numba.njit(nogil=True, error_model="numpy")(function)
+    return dispatcher
+
+
+class Entry:
+    """A kernel that Python calls, compiled at the first call for one signature.
+
+    Called like the function it holds; arguments must match the signature
+    exactly (contiguous arrays of the stated type). `salt` is what its machine
+    code depends on besides the package's kernel sources.
+    """
+
+    def __init__(self, function: Callable[..., Any], signature: Any, salt: str = "") -> None:
+        self.function = function
+        self._signature = signature
+        self._salt = salt
+        self._ready: Callable[..., Any] | None = None
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self.compile()(*arguments)
+
+    def compile(self) -> Callable[..., Any]:
+        """Return the compiled function, from the cache where it has one."""
+        if self._ready is None:
+            self._ready = _compile(self.function, self._signature, self._salt)
+        return self._ready
+
+
+def entry(signature: Any) -> Callable[[Callable[..., Any]], Entry]:
+    """Decorate a kernel that Python calls, with its one signature."""
+
+    def wrap(function: Callable[..., Any]) -> Entry:
+        return Entry(function, signature)
+
+    return wrap
+
+
+def _compile(function: Callable[..., Any], signature: Any, salt: str) -> Callable[..., Any]:
+    dispatcher: Any = numba.njit(nogil=True, error_model="numpy")(function)
+    if not compiled():
+        ready: Callable[..., Any] = dispatcher
+        return ready
+    folder = cache_folder(salt)
+    if folder is not None:
+        dispatcher._cache = _cache_in(folder)(dispatcher.py_func)  # noqa: SLF001  numba has no public hook for a locator
+    dispatcher.compile(signature)
+    dispatcher.disable_compile()
+    ready = dispatcher
+    return ready
+
+
+def cache_folder(salt: str = "") -> Path | None:
+    """Return the writable folder of today's kernels, or None when none can be written.
+
+    Under `FCL_SIM_CACHE_DIR`, else the user's cache folder; named by a digest
+    of the kernel sources and `salt`. Old folders are removed when a new one is
+    made.
+    """
+    home = _cache_home()
+    folder = home / hashlib.sha256(f"{_sources_digest()} {salt}".encode()).hexdigest()[:24]
+    try:
+        if not folder.is_dir():
+            folder.mkdir(parents=True, exist_ok=True)
+            _forget_old(home)
+        return folder if os.access(folder, os.W_OK) else None
+    except OSError:
+        return None
+
+
+def _cache_home() -> Path:
+    chosen = os.environ.get("FCL_SIM_CACHE_DIR")
+    if chosen:
+        return Path(chosen)
+    if sys.platform == "win32":
+        base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
+    else:
+        base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    try:
+        return Path(base).expanduser() / "fcl_sim" / "kernels"
+    except RuntimeError:  # a user without a home folder
+        return Path(os.devnull) / "fcl_sim"
+
+
+def _forget_old(home: Path) -> None:
+    folders = sorted(home.iterdir(), key=lambda each: each.stat().st_mtime, reverse=True)
+    for folder in folders[KEPT_FOLDERS:]:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+@cache
+def _sources_digest() -> str:
+    package = Path(__file__).parent
+    digest = hashlib.sha256()
+    rooms = [file for room in KERNEL_ROOMS for file in sorted((package / room).rglob("*.py"))]
+    for file in [Path(__file__), *rooms]:
+        digest.update(file.relative_to(package).as_posix().encode())
+        digest.update(file.read_bytes())
+    return digest.hexdigest()
+
+
+def _cache_in(folder: Path) -> type[caching.FunctionCache]:
+    """Return a numba function cache that lives in `folder`, whatever numba's own settings are."""
+
+    class Locator(caching._CacheLocator):  # noqa: SLF001
+        def __init__(self, py_func: Any) -> None:
+            self._line = py_func.__code__.co_firstlineno
+
+        def get_cache_path(self) -> str:
+            return str(folder)
+
+        def get_source_stamp(self) -> str:
+            return folder.name
+
+        def get_disambiguator(self) -> str:
+            return str(self._line)
+
+        @classmethod
+        def from_function(cls, py_func: Any, py_file: str) -> "Locator":
+            return cls(py_func)
+
+    class Implementation(caching.CompileResultCacheImpl):
+        def __init__(self, py_func: Any) -> None:
+            # numba's own choice of a locator would ask the user's settings first
+            self._lineno = py_func.__code__.co_firstlineno
+            self._locator = Locator(py_func)
+            name = f"{py_func.__module__.rpartition('.')[2]}.{py_func.__qualname__}"
+            self._filename_base = self.get_filename_base(name, getattr(sys, "abiflags", ""))
+
+    class Kernels(caching.FunctionCache):
+        _impl_class = Implementation
+
+        def load_overload(self, sig: Any, target_context: Any) -> Any:
+            # A cut-off or foreign file is no reason to fail: compile again.
+            try:
+                return super().load_overload(sig, target_context)
+            except Exception:
+                return None
+
+        def save_overload(self, sig: Any, data: Any) -> None:
+            with suppress(OSError):
+                super().save_overload(sig, data)
+
+    return Kernels

@@ -1,0 +1,103 @@
+"""The closed loop as drawn: a plant, blocks, and wires by name; no slots, no order yet."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from fcl_sim.block import Block
+from fcl_sim.diagnostics import Span
+from fcl_sim.plant.catalog import PlantModel
+from fcl_sim.units import Quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Wire:
+    """A connection from the signal named `source`, times `sign` (+1 or -1)."""
+
+    source: str
+    sign: float = 1.0
+    span: Span | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Node:
+    """A block of `loop.blocks.BLOCKS`, by its type's name.
+
+    `name` is its path (`controller.speed`); its outputs are signals below that
+    path, or that path itself where it has one output.
+    """
+
+    name: str
+    type: str
+    inputs: Mapping[str, Wire]
+    parameters: Mapping[str, Quantity] = field(default_factory=dict)
+    span: Span | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FuzzyNode:
+    """A fuzzy function block; `units` gives a unit to each of its variables (FCL has none)."""
+
+    name: str
+    block: Block
+    inputs: Mapping[str, Wire]
+    units: Mapping[str, str] = field(default_factory=dict)
+    span: Span | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlantNode:
+    """A plant with its parameters and start values, each in its declared unit."""
+
+    name: str
+    model: PlantModel
+    parameters: Mapping[str, float] = field(default_factory=dict)
+    start: Mapping[str, float] = field(default_factory=dict)
+    inputs: Mapping[str, Wire] = field(default_factory=dict)
+    span: Span | None = field(default=None, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Timing:
+    """Scan times, in integer nanoseconds.
+
+    `latency` (0 to `scan`) passes between the reading of the inputs and the
+    writing of the outputs; each scan's start is late by up to `jitter`, drawn
+    from `seed`. Blocks that integrate or differentiate take the nominal cycle
+    time, or with `measured` the time since the last scan.
+    """
+
+    scan: int
+    duration: int
+    latency: int = 0
+    jitter: int = 0
+    seed: int = 0
+    measured: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Integration:
+    """How the plant is integrated between writes.
+
+    `scheme` is a name of `loop.schemes.SCHEMES`; `rtol` bounds the local error
+    of a scheme with step control, relative to |x| + scale of each state;
+    `step` is the step of a scheme without, in seconds.
+    """
+
+    scheme: str = "dormand_prince"
+    rtol: float = 1e-8
+    step: float = 0.001
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Diagram:
+    """A closed loop: everything that a run needs, still by name.
+
+    `aliases` gives further names to signals: the inputs and outputs of the
+    controller (`controller.distance` for the wire `crane.distance`).
+    """
+
+    plant: PlantNode
+    nodes: tuple[Node | FuzzyNode, ...]
+    aliases: Mapping[str, Wire] = field(default_factory=dict)
+    timing: Timing
+    integration: Integration = field(default_factory=Integration)

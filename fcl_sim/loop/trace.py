@@ -1,0 +1,67 @@
+"""What a run leaves behind: every signal at every scan."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class FuzzyRecord:
+    """A fuzzy block over a run of n samples.
+
+    `inputs` (n, inputs) and `outputs` (n, outputs) are what it read and gave;
+    `degrees` (n, rules) each rule's degree of firing after aggregation;
+    `active` (n, outputs) whether any rule was active for the output.
+    """
+
+    input_names: tuple[str, ...]
+    output_names: tuple[str, ...]
+    rule_labels: tuple[str, ...]
+    inputs: Values
+    outputs: Values
+    degrees: Values
+    active: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """Why a run ended early: the time in nanoseconds, the signal or state, the reason in words."""
+
+    tick: int
+    signal: str
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """Samples of one run, at its scans, the end included.
+
+    `ticks` (n,) nanoseconds; `values` (n, signals) in the order of `names`;
+    `units` the unit of each signal. `fault` is set when the run ended early;
+    the samples up to there are kept.
+    """
+
+    ticks: NDArray[np.int64]
+    names: tuple[str, ...]
+    units: Mapping[str, str]
+    values: Values
+    fuzzy: Mapping[str, FuzzyRecord] = field(default_factory=dict)
+    fault: Fault | None = None
+
+    @property
+    def time(self) -> Values:
+        """Times of the samples in seconds, (n,)."""
+        return self.ticks / 1e9
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.units
+
+    def __getitem__(self, name: str) -> Values:
+        """Return the samples (n,) of the signal `name`; KeyError where there is none."""
+        if name not in self.units:
+            raise KeyError(name)
+        return self.values[:, self.names.index(name)]
