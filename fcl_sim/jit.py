@@ -15,7 +15,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import numba
 from numba.core import caching, types
@@ -73,6 +73,7 @@ class Entry:
         self._ready: Callable[..., Any] | None = None
 
     def __call__(self, *arguments: Any) -> Any:
+        """Call the compiled function."""
         return self.compile()(*arguments)
 
     def compile(self) -> Callable[..., Any]:
@@ -94,15 +95,13 @@ def entry(signature: Any) -> Callable[[Callable[..., Any]], Entry]:
 def _compile(function: Callable[..., Any], signature: Any, salt: str) -> Callable[..., Any]:
     dispatcher: Any = numba.njit(nogil=True, error_model="numpy")(function)
     if not compiled():
-        ready: Callable[..., Any] = dispatcher
-        return ready
+        return cast("Callable[..., Any]", dispatcher)
     folder = cache_folder(salt)
     if folder is not None:
         dispatcher._cache = _cache_in(folder)(dispatcher.py_func)  # noqa: SLF001  numba has no public hook for a locator
     dispatcher.compile(signature)
     dispatcher.disable_compile()
-    ready = dispatcher
-    return ready
+    return cast("Callable[..., Any]", dispatcher)
 
 
 def cache_folder(salt: str = "") -> Path | None:
@@ -171,7 +170,7 @@ def _cache_in(folder: Path) -> type[caching.FunctionCache]:
             return str(self._line)
 
         @classmethod
-        def from_function(cls, py_func: Any, py_file: str) -> "Locator":
+        def from_function(cls, py_func: Any, py_file: str) -> "Locator":  # noqa: ARG003  numba's signature
             return cls(py_func)
 
     class Implementation(caching.CompileResultCacheImpl):
@@ -186,10 +185,9 @@ def _cache_in(folder: Path) -> type[caching.FunctionCache]:
         _impl_class = Implementation
 
         def load_overload(self, sig: Any, target_context: Any) -> Any:
-            # A cut-off or foreign file is no reason to fail: compile again.
             try:
                 return super().load_overload(sig, target_context)
-            except Exception:
+            except Exception:  # noqa: BLE001  a cut-off or foreign file is no reason to fail: compile again
                 return None
 
         def save_overload(self, sig: Any, data: Any) -> None:
