@@ -1,0 +1,66 @@
+# The house in a few words. Needs GNU make and Python 3.11 or later with venv;
+# everything else is installed into .venv/, each file held to the hash in the
+# lock. A stamp remembers that, until a lock changes.
+
+PYTHON ?= python3
+WORKERS ?= 2
+
+venv := .venv
+python := $(venv)/bin/python
+install := $(python) -m pip install --quiet --disable-pip-version-check
+compile := build/lock/bin/uv pip compile --quiet --no-config --universal --python-version 3.11 \
+  --generate-hashes --custom-compile-command 'make lock' $(UPGRADE)
+run_stamp := $(venv)/run.stamp
+test_stamp := $(venv)/test.stamp
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help run test lint smoke bench lock clean
+
+help: ## this list
+	@echo "make TARGET, where TARGET is one of"
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/  \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 10
+
+run: $(run_stamp) ## set up, run the shipped bench, write reports/
+	@$(python) -m fcl_sim run
+
+test: lint smoke ## set up, check the style, install the wheel, run all tests
+	@$(python) -m pytest -n $(WORKERS)
+
+lint: $(test_stamp) ## style, types and the floors of the house
+	@$(python) -m ruff check
+	@$(python) -m ruff format --check
+	@$(python) -m mypy
+	@$(venv)/bin/lint-imports --no-logo --cache-dir .import_linter_cache
+
+smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench from it
+	@$(python) tests/house/smoke.py
+
+bench: $(test_stamp) ## measure the speed, against C
+	@$(python) -m benchmarks
+
+lock: ## write the locks from pyproject.toml; with UPGRADE=--upgrade take the newest releases
+	@$(PYTHON) -m venv --clear build/lock
+	@build/lock/bin/python -m pip install --quiet --disable-pip-version-check uv
+	@$(compile) --group build --group test --group lint --output-file requirements.lock pyproject.toml
+	@$(compile) --group build --constraint requirements.lock --output-file requirements-run.lock pyproject.toml
+
+clean: ## remove what was installed and written
+	rm -rf $(venv) build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	find reports -mindepth 1 ! -name README.md -delete
+
+$(run_stamp): requirements-run.lock pyproject.toml hatch_build.py
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo "fcl_sim needs Python 3.11 or later, '$(PYTHON)' is not. Name another: make PYTHON=python3.12 $(MAKECMDGOALS)" >&2; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	  { echo "'$(PYTHON)' cannot make virtual environments: on Debian, apt install python3-venv" >&2; exit 1; }
+	@echo "Setting up $(venv) (once; takes a minute) ..."
+	@$(PYTHON) -m venv --clear $(venv)
+	@$(install) --require-hashes --requirement requirements-run.lock
+	@$(install) --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(test_stamp): $(run_stamp) requirements.lock
+	@echo "Adding what the tests need ..."
+	@$(install) --require-hashes --requirement requirements.lock
+	@touch $@
