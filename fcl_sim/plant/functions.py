@@ -1,0 +1,75 @@
+"""The functions of a plant, their one compiled signature each, and what stands in for the missing ones."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fcl_sim.jit import Entry, F, f8, function_type, i8, signature, void
+
+Array = NDArray[np.float64]
+
+_DERIVATIVE = (void, f8, F, F, F, i8, F)
+_TRANSITION = (i8, i8, f8, F, F, F, i8)
+_SAMPLE = (void, f8, F, F)
+
+PARTS: dict[str, tuple[Any, ...]] = {
+    "dynamics": _DERIVATIVE,
+    "outputs": _DERIVATIVE,
+    "events": _DERIVATIVE,
+    "transition": _TRANSITION,
+    "sample": _SAMPLE,
+}
+"""Result and arguments of each plant function, in the order in which a run takes them."""
+
+ARGUMENTS: dict[str, tuple[str, ...]] = {
+    "dynamics": ("t", "x", "u", "p", "mode", "dx"),
+    "outputs": ("t", "x", "u", "p", "mode", "y"),
+    "events": ("t", "x", "u", "p", "mode", "g"),
+    "transition": ("i", "t", "x", "u", "p", "mode"),
+    "sample": ("t", "x", "p"),
+}
+"""Names of the arguments, as a plant file writes them."""
+
+REQUIRED = ("dynamics", "outputs")
+
+FUNCTION_TYPES = tuple(function_type(*parts) for parts in PARTS.values())
+"""Signature parts of the five functions as arguments of a kernel."""
+
+
+def events(t: float, x: Array, u: Array, p: Array, mode: int, g: Array) -> None:
+    """No events."""
+
+
+def transition(i: int, t: float, x: Array, u: Array, p: Array, mode: int) -> int:
+    """Stay in the mode; a run begins in mode 0."""
+    return max(mode, 0)
+
+
+def sample(t: float, x: Array, p: Array) -> None:
+    """Nothing happens at a scan."""
+
+
+DEFAULTS: dict[str, Callable[..., Any]] = {"events": events, "transition": transition, "sample": sample}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlantFunctions:
+    """The five functions of a plant as kernels; called by the loop, in this order."""
+
+    dynamics: Entry
+    outputs: Entry
+    events: Entry
+    transition: Entry
+    sample: Entry
+
+    def ready(self) -> tuple[Callable[..., Any], ...]:
+        """Return the five compiled, as first-class functions for a kernel."""
+        return tuple(getattr(self, part).compile() for part in PARTS)
+
+
+def as_entry(part: str, function: Callable[..., Any], salt: str) -> Entry:
+    """Return `function` as the plant function `part`, cached under `salt`."""
+    return Entry(function, signature(*PARTS[part]), salt)
