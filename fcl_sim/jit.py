@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numba
+import numpy as np
 from numba.core import caching, types
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -35,6 +36,8 @@ FF = types.Array(types.float64, 2, "C")
 f8 = types.float64
 i8 = types.int64
 void = types.void
+u = np.uint64
+"""An index that is never negative: `buffer[u(at + 3)]` spares the test for wrap-around."""
 
 
 def compiled() -> bool:
@@ -55,6 +58,12 @@ def function_type(result: Any, *arguments: Any) -> Any:
 def kernel(function: Function) -> Function:
     """Decorate a function that only other kernels call, in numba's subset."""
     dispatcher: Function = numba.njit(nogil=True, error_model="numpy")(function)
+    return dispatcher
+
+
+def inlined(function: Function) -> Function:
+    """Decorate a small kernel that is to be copied into its callers."""
+    dispatcher: Function = numba.njit(nogil=True, error_model="numpy", forceinline=True)(function)
     return dispatcher
 
 
@@ -188,6 +197,8 @@ def _cache_in(folder: Path) -> type[caching.FunctionCache]:
             try:
                 return super().load_overload(sig, target_context)
             except Exception:  # noqa: BLE001  a cut-off or foreign file is no reason to fail: compile again
+                with suppress(OSError):
+                    self.flush()
                 return None
 
         def save_overload(self, sig: Any, data: Any) -> None:
