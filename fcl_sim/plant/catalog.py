@@ -21,12 +21,16 @@ GROUP = "fcl_sim.plants"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlantModel:
-    """A plant that keeps the contract: its declaration, file, the file's digest, its functions."""
+    """A plant that keeps the contract: its declaration, file, the file's digest, its functions.
+
+    `samples` says whether it does something at each scan.
+    """
 
     declaration: Plant
     path: Path
     digest: str
     functions: PlantFunctions
+    samples: bool
 
 
 def shipped_bench() -> Path:
@@ -85,7 +89,13 @@ def load(path: Path) -> PlantModel:
     missing = {part: DEFAULTS[part] for part in PARTS if part not in given and part not in REQUIRED}
     entries = {part: as_entry(part, function, digest) for part, function in given.items()}
     entries |= {part: as_entry(part, function, "") for part, function in missing.items()}
-    return PlantModel(declaration=plant, path=path, digest=digest, functions=PlantFunctions(**entries))
+    return PlantModel(
+        declaration=plant,
+        path=path,
+        digest=digest,
+        functions=PlantFunctions(**entries),
+        samples="sample" in given,
+    )
 
 
 def _import(path: Path, digest: str) -> ModuleType:

@@ -1,0 +1,42 @@
+"""`differentiator`: first-order filtered difference."""
+
+from collections.abc import Mapping
+
+from fcl_sim.jit import kernel
+from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
+from fcl_sim.loop.layout import FIRST_INPUT, OUTPUT, PARAMETERS, STATE
+from fcl_sim.units import Quantity, Unit, parse_unit
+
+
+def _rate(inputs: Mapping[str, Unit], parameters: Mapping[str, Quantity]) -> Unit:
+    return inputs["input"] / parse_unit("s")
+
+
+DIFFERENTIATOR = BlockType(
+    name="differentiator",
+    summary="rate of change of a signal, filtered by a first-order lag",
+    equation="y_k = y_{k-1} + T/(Tf + T) * ((u_k - u_{k-1})/T - y_{k-1}); y_0 = 0",
+    source="IEC 61131-7 A.3, differentiating element; backward difference of s/(1 + s Tf)",
+    ports=("input",),
+    parameters=(BlockParameter(name="filter", unit="s", meaning="Tf, time constant of the lag", default="0 s"),),
+    states=2,
+    unit=_rate,
+)
+
+PREVIOUS, BEGUN = 0, 1
+
+
+@kernel
+def differentiate(ints, floats, memory, at, cycle):
+    """Kernel of `differentiator`, `cycle` T in seconds; parameters: the input's sign, Tf."""
+    parameters = ints[at + PARAMETERS]
+    state = ints[at + STATE]
+    now = floats[parameters] * memory[ints[at + FIRST_INPUT]]
+    if memory[state + BEGUN] == 0.0:
+        memory[state + BEGUN] = 1.0
+        memory[ints[at + OUTPUT]] = 0.0
+    else:
+        before = memory[ints[at + OUTPUT]]
+        rate = (now - memory[state + PREVIOUS]) / cycle
+        memory[ints[at + OUTPUT]] = before + cycle / (floats[parameters + 1] + cycle) * (rate - before)
+    memory[state + PREVIOUS] = now

@@ -1,0 +1,57 @@
+"""`sum` and `gain`: weighted signals."""
+
+from collections.abc import Mapping
+
+from fcl_sim.jit import kernel
+from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
+from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, OUTPUT, PARAMETERS
+from fcl_sim.units import Quantity, Unit, UnitError
+
+
+def _sum_unit(inputs: Mapping[str, Unit], parameters: Mapping[str, Quantity]) -> Unit:
+    units = {port: unit * parameters[port].unit for port, unit in inputs.items()}
+    first, *others = units.items()
+    for port, unit in others:
+        if not unit.same_as(first[1]):
+            raise UnitError(
+                f"the terms do not add up: `{first[0]}` gives {first[1]} and `{port}` gives {unit}",
+                f"choose the gain of `{port}` so that it gives {first[1]}",
+            )
+    return first[1]
+
+
+SUM = BlockType(
+    name="sum",
+    summary="weighted sum of signals",
+    equation="y = sum of gain_i * u_i; no memory",
+    source="IEC 61131-7 A.3, preparation of the inputs",
+    terms="terms",
+    unit=_sum_unit,
+)
+
+GAIN = BlockType(
+    name="gain",
+    summary="a signal times a constant",
+    equation="y = gain * u; no memory",
+    source="IEC 61131-7 A.3",
+    ports=("input",),
+    parameters=(BlockParameter(name="gain", unit=None, meaning="factor, with its unit"),),
+    unit=lambda inputs, parameters: inputs["input"] * parameters["gain"].unit,
+)
+
+
+@kernel
+def weighted_sum(ints, floats, memory, at):
+    """Kernel of `sum`; the parameters are the gains, signs included."""
+    total = 0.0
+    gains = ints[at + PARAMETERS]
+    for i in range(ints[at + INPUTS]):
+        total += floats[gains + i] * memory[ints[at + FIRST_INPUT + i]]
+    memory[ints[at + OUTPUT]] = total
+
+
+@kernel
+def gain(ints, floats, memory, at):
+    """Kernel of `gain`; parameters: the input's sign, the gain."""
+    parameters = ints[at + PARAMETERS]
+    memory[ints[at + OUTPUT]] = floats[parameters + 1] * (floats[parameters] * memory[ints[at + FIRST_INPUT]])

@@ -1,0 +1,24 @@
+"""Execute the blocks of a tape once, in wiring order."""
+
+from fcl_sim.jit import kernel
+from fcl_sim.loop.blocks.differentiator import differentiate
+from fcl_sim.loop.blocks.fuzzy import evaluate
+from fcl_sim.loop.blocks.linear import gain, weighted_sum
+from fcl_sim.loop.layout import OPCODE, ROW_LENGTH, ROWS, ROWS_AT
+
+
+@kernel
+def execute(ints, floats, memory, cycle):
+    """Execute every block row, `cycle` being the cycle time in seconds."""
+    at = ints[ROWS_AT]
+    for _ in range(ints[ROWS]):
+        opcode = ints[at + OPCODE]
+        if opcode == 0:
+            weighted_sum(ints, floats, memory, at)
+        elif opcode == 1:
+            gain(ints, floats, memory, at)
+        elif opcode == 2:
+            differentiate(ints, floats, memory, at, cycle)
+        elif opcode == 3:
+            evaluate(ints, floats, memory, at)
+        at += ints[at + ROW_LENGTH]

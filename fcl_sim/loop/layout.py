@@ -1,0 +1,80 @@
+"""The tape's head: where everything of a run stands in its buffers.
+
+A tape is one integer buffer `ints` and one float buffer `floats` that a run
+does not change, and one float buffer `memory` that it works in. The first
+words of `ints` are the numbers below; the rest of it are block rows, record
+segments and programs, the rest of `floats` the scheme, scales and parameters.
+
+`memory` begins with the signals that are checked each scan: the plant's
+outputs, its inputs as written, the outputs of blocks; then states of blocks
+and the instance memories of fuzzy blocks.
+"""
+
+STATES = 0
+"""Number of states, a multiple of 4 (the last ones may be padding that stays 0)."""
+TRUE_STATES = 1
+PLANT_INPUTS = 2
+PLANT_OUTPUTS = 3
+EVENTS = 4
+"""Number of events."""
+DIRECTIONS_AT = 5
+"""Where in `ints` the direction of each event stands, +1 or -1."""
+SAMPLED = 6
+"""1 where the plant does something at each scan."""
+SCANS = 7
+"""Number of scans, the one at the end not counted."""
+LATENCY = 8
+"""Nanoseconds from the reading of the inputs to the writing of the outputs."""
+MEASURED = 9
+"""1 where blocks take the measured cycle time."""
+ROWS = 10
+"""Number of block rows."""
+ROWS_AT = 11
+WRITES_AT = 12
+"""Where in `ints` the slot that each plant input is written from stands."""
+WRITE_SIGNS_AT = 13
+"""Where in `floats` the sign of each of them stands."""
+SIGNALS = 14
+"""Number of checked signals at the beginning of `memory`."""
+SEGMENTS = 15
+"""Number of stretches of `memory` that are recorded."""
+SEGMENTS_AT = 16
+"""Where in `ints` they stand, each as first slot and length."""
+STAGES = 17
+"""Rows of the integration scheme."""
+ADAPTIVE = 18
+"""1 where the scheme controls its step."""
+SCHEME_AT = 19
+"""Where in `floats` the scheme's table stands."""
+SCALES_AT = 20
+"""Where in `floats` the scale of each state stands, padding included."""
+STEP_AT = 21
+"""Where in `floats` stand: tolerance, step of a fixed scheme (s), nominal cycle time (s), exponent of control."""
+PLANT_INPUTS_AT = 22
+"""First slot of the plant's inputs in `memory`; its outputs begin at 0."""
+
+HEAD = 23
+"""Words of the head."""
+
+RTOL, FIXED_STEP, CYCLE, EXPONENT = 0, 1, 2, 3
+"""Offsets from STEP_AT."""
+
+# A block row in `ints`; its parameters stand in `floats` from PARAMETERS: first
+# the sign of each input (with the gain, where a block has one), then the rest.
+OPCODE, ROW_LENGTH, OUTPUT, STATE, PARAMETERS, INPUTS, FIRST_INPUT = 0, 1, 2, 3, 4, 5, 6
+
+# How a run ends.
+FINISHED = 0
+NOT_FINITE = 1
+"""A signal is NaN or infinite; `index` is its slot."""
+BLEW_UP = 2
+"""A state is NaN or infinite, or its error cannot be bounded; `index` is the state."""
+STEP_TOO_SMALL = 3
+"""The step that the tolerance needs has vanished; `index` is the worst state."""
+CHATTERS = 4
+"""Too many events between two writes; `index` is the last event."""
+BUDGET_SPENT = 5
+"""Too many steps between two writes; `index` is the worst state."""
+
+REPORT_STATUS, REPORT_SAMPLES, REPORT_INDEX = 0, 1, 2
+"""What `simulate` leaves in its report: status, number of samples recorded, index."""

@@ -1,0 +1,249 @@
+"""Wiring → Tape: slots for names, rows for blocks, three buffers for a run (`loop.layout`)."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fcl_sim.loop import layout
+from fcl_sim.loop.blocks import BLOCKS, TABLE
+from fcl_sim.loop.clock import scan_starts
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, Wire
+from fcl_sim.loop.order import signals_of
+from fcl_sim.loop.schemes import SCHEMES
+from fcl_sim.loop.wiring import Wiring
+from fcl_sim.units import parse_quantity, parse_unit
+
+
+LANES = 4
+"""States are padded to a multiple of this, so that the integrator works in constant pieces."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Tape:
+    """A wiring as buffers. `ints` and `floats` are read, `memory` and `x` worked in, by a run.
+
+    `slots` says where each signal stands in memory; `segments` which stretches
+    of memory (first slot, length) make the columns of the record; `instances`
+    where the memory of each fuzzy block begins.
+    """
+
+    wiring: Wiring
+    ints: NDArray[np.int64]
+    floats: NDArray[np.float64]
+    memory: NDArray[np.float64]
+    x: NDArray[np.float64]
+    p: NDArray[np.float64]
+    starts: NDArray[np.int64]
+    slots: Mapping[str, int]
+    segments: tuple[tuple[int, int], ...]
+    instances: Mapping[str, int]
+
+    def column(self, slot: int) -> int:
+        """Return the column of the record that holds memory slot `slot`; ValueError if none does."""
+        column = 0
+        for first, length in self.segments:
+            if first <= slot < first + length:
+                return column + slot - first
+            column += length
+        raise ValueError(f"slot {slot} is not recorded")
+
+
+@dataclass(frozen=True, slots=True)
+class _Memory:
+    """How memory is shared out: slots of signals, states of blocks, instances of fuzzy blocks."""
+
+    slots: dict[str, int]
+    states: dict[str, int]
+    instances: dict[str, int]
+    signals: int
+    size: int
+
+
+def lower(wiring: Wiring) -> Tape:
+    """Return the tape of a wiring."""
+    diagram = wiring.diagram
+    memory = _share_out(diagram, wiring.order)
+    ints, floats = _Buffer(layout.HEAD), _Buffer(0)
+    head = _plant_words(diagram) | _time_words(diagram)
+    head |= _scheme_words(diagram, ints, floats)
+    head |= _row_words(wiring, memory, ints, floats)
+    head |= _write_words(wiring, memory, ints, floats)
+    segments = _segments(diagram, memory)
+    head |= {
+        layout.SIGNALS: memory.signals,
+        layout.SEGMENTS: len(segments),
+        layout.SEGMENTS_AT: ints.append([word for segment in segments for word in segment]),
+    }
+    buffer = ints.array(np.int64)
+    for word, value in head.items():
+        buffer[word] = value
+    declaration = diagram.plant.model.declaration
+    return Tape(
+        wiring=wiring,
+        ints=buffer,
+        floats=floats.array(np.float64),
+        memory=_initial_memory(diagram, memory),
+        x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
+        p=np.array(
+            [diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters], dtype=np.float64
+        ),
+        starts=scan_starts(diagram.timing),
+        slots=memory.slots,
+        segments=segments,
+        instances=memory.instances,
+    )
+
+
+class _Buffer:
+    """A buffer under construction."""
+
+    def __init__(self, reserved: int) -> None:
+        self._words: list[float] = [0] * reserved
+
+    def append(self, words: Sequence[float] | NDArray[np.generic]) -> int:
+        """Append words; return where they begin."""
+        at = len(self._words)
+        self._words.extend(words)  # type: ignore[arg-type]  numpy's scalars are numbers
+        return at
+
+    def __len__(self) -> int:
+        return len(self._words)
+
+    def array(self, dtype: type[np.generic]) -> NDArray[np.generic]:
+        return np.array(self._words or [0], dtype=dtype)
+
+
+def _share_out(diagram: Diagram, order: Sequence[Node | FuzzyNode]) -> _Memory:
+    plant = diagram.plant
+    declaration = plant.model.declaration
+    names = [f"{plant.name}.{each.name}" for each in (*declaration.outputs, *declaration.inputs)]
+    names += [node.name for node in order if isinstance(node, Node)]
+    slots = {name: slot for slot, name in enumerate(names)}
+    signals = size = len(names)
+    states: dict[str, int] = {}
+    instances: dict[str, int] = {}
+    for node in order:
+        if isinstance(node, FuzzyNode):
+            program = node.block.program
+            instances[node.name] = size
+            for index, name in enumerate(signals_of(node)):
+                slots[name] = size + program.outputs_at + index
+            size += program.size
+        else:
+            states[node.name] = size
+            size += BLOCKS[node.type].states
+    return _Memory(slots, states, instances, signals, size)
+
+
+def _plant_words(diagram: Diagram) -> dict[int, int]:
+    plant = diagram.plant.model
+    declaration = plant.declaration
+    return {
+        layout.STATES: -(-max(1, len(declaration.states)) // LANES) * LANES,
+        layout.TRUE_STATES: len(declaration.states),
+        layout.PLANT_INPUTS: len(declaration.inputs),
+        layout.PLANT_OUTPUTS: len(declaration.outputs),
+        layout.PLANT_INPUTS_AT: len(declaration.outputs),
+        layout.EVENTS: len(declaration.events),
+        layout.SAMPLED: int(plant.samples),
+    }
+
+
+def _time_words(diagram: Diagram) -> dict[int, int]:
+    timing = diagram.timing
+    return {
+        layout.SCANS: timing.duration // timing.scan,
+        layout.LATENCY: timing.latency,
+        layout.MEASURED: int(timing.measured),
+    }
+
+
+def _scheme_words(diagram: Diagram, ints: _Buffer, floats: _Buffer) -> dict[int, int]:
+    scheme = SCHEMES[diagram.integration.scheme]
+    declaration = diagram.plant.model.declaration
+    integration = diagram.integration
+    steps = [integration.rtol, integration.step, diagram.timing.scan / 1e9, -1.0 / scheme.order]
+    return {
+        layout.STAGES: scheme.stages,
+        layout.ADAPTIVE: int(bool(scheme.error)),
+        layout.DIRECTIONS_AT: ints.append([int(each.direction) for each in declaration.events]),
+        layout.SCHEME_AT: floats.append(scheme.table()),
+        layout.SCALES_AT: floats.append(_padded([each.scale for each in declaration.states], 1.0)),
+        layout.STEP_AT: floats.append(steps),
+    }
+
+
+def _row_words(wiring: Wiring, memory: _Memory, ints: _Buffer, floats: _Buffer) -> dict[int, int]:
+    programs: dict[int, int] = {}
+    for node in wiring.order:
+        if isinstance(node, FuzzyNode) and id(node.block.program) not in programs:
+            program = node.block.program
+            programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
+    rows_at = len(ints)
+    for node in wiring.order:
+        if isinstance(node, FuzzyNode):
+            ports: Sequence[str] = node.block.program.input_names
+            further, opcode = [programs[id(node.block.program)]], TABLE.index(BLOCKS["fuzzy"])
+            output, state = memory.slots[signals_of(node)[0]], memory.instances[node.name]
+            parameters: list[float] = []
+        else:
+            block = BLOCKS[node.type]
+            ports = tuple(node.inputs) if block.terms else block.ports
+            further, opcode = [], TABLE.index(block)
+            output, state = memory.slots[node.name], memory.states[node.name]
+            parameters = _parameters(node)
+        wires = [wiring.resolve(node.inputs[port]) for port in ports]
+        at = floats.append([*_signs(node, ports, wires), *parameters])
+        inputs = [memory.slots[each.source] for each in wires]
+        row = [opcode, layout.FIRST_INPUT + len(inputs) + len(further), output, state, at, len(inputs)]
+        ints.append([*row, *inputs, *further])
+    return {layout.ROWS: len(wiring.order), layout.ROWS_AT: rows_at}
+
+
+def _signs(node: Node | FuzzyNode, ports: Sequence[str], wires: Sequence[Wire]) -> list[float]:
+    """Return the sign of each input, times its gain where the block has one per term."""
+    if isinstance(node, Node) and BLOCKS[node.type].terms:
+        return [each.sign * node.parameters[port].value for port, each in zip(ports, wires, strict=True)]
+    return [each.sign for each in wires]
+
+
+def _parameters(node: Node) -> list[float]:
+    numbers = []
+    for declared in BLOCKS[node.type].parameters:
+        given = node.parameters.get(declared.name, parse_quantity(declared.default or 0.0))
+        numbers.append(given.to(parse_unit(declared.unit)) if declared.unit is not None else given.value)
+    return numbers
+
+
+def _write_words(wiring: Wiring, memory: _Memory, ints: _Buffer, floats: _Buffer) -> dict[int, int]:
+    plant = wiring.diagram.plant
+    wires = [wiring.resolve(plant.inputs[each.name]) for each in plant.model.declaration.inputs]
+    return {
+        layout.WRITES_AT: ints.append([memory.slots[each.source] for each in wires]),
+        layout.WRITE_SIGNS_AT: floats.append([each.sign for each in wires]),
+    }
+
+
+def _segments(diagram: Diagram, memory: _Memory) -> tuple[tuple[int, int], ...]:
+    blocks = {node.name: node.block for node in diagram.nodes if isinstance(node, FuzzyNode)}
+    fuzzy = [(at, blocks[name].program.recorded) for name, at in memory.instances.items()]
+    return ((0, memory.signals), *fuzzy)
+
+
+def _initial_memory(diagram: Diagram, memory: _Memory) -> NDArray[np.float64]:
+    initial = np.zeros(memory.size)
+    plant = diagram.plant
+    for each in plant.model.declaration.inputs:
+        initial[memory.slots[f"{plant.name}.{each.name}"]] = each.start
+    for node in diagram.nodes:
+        if isinstance(node, FuzzyNode):
+            at = memory.instances[node.name]
+            initial[at : at + node.block.program.size] = node.block.program.initial
+    return initial
+
+
+def _padded(values: Sequence[float], filling: float) -> NDArray[np.float64]:
+    size = -(-max(1, len(values)) // LANES) * LANES
+    return np.array([*values, *[filling] * (size - len(values))], dtype=np.float64)
