@@ -40,7 +40,3 @@ def test_nothing_heavy_is_loaded_before_it_is_needed(arguments):
     modules = imported(*arguments)
     assert "fcl_sim" in modules
     assert modules & HEAVY == set()
-
-
-def test_a_command_shows_its_help_without_loading_what_it_does():
-    assert imported("-m", "fcl_sim", "run", "--help") & HEAVY == set()

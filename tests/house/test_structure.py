@@ -69,6 +69,9 @@ def test_no_file_names_a_registry_or_a_path_of_one_machine():
     assert found == []
 
 
+PIN = r"^[a-z0-9-]+==[^\\]+\\\n(?: +--hash=sha256:[0-9a-f]{64}(?: \\)?\n)+"
+
+
 def test_the_locks_hold_every_file_to_a_hash_and_agree():
     complete, needed = (
         (ROOT / name).read_text("utf-8") for name in ("requirements.lock", "requirements-run.lock")

@@ -1,0 +1,64 @@
+"""`fcl-sim`: the table of commands, each loaded when it is called."""
+
+import sys
+from importlib import import_module
+
+import click
+
+from fcl_sim import __version__
+from fcl_sim.cli.doors import Doors
+from fcl_sim.diagnostics import nearest
+
+COMMANDS = {
+    "run": "Simulate scenarios in closed loop, judge them, write reports.",
+    "eval": "Evaluate a rule base once.",
+    "plot": "Draw membership functions and the characteristic curve or surface.",
+    "check": "Read rule bases and list what is wrong with them.",
+    "show": "Print what a file becomes on its way: tokens, tree, model, wiring ...",
+    "schema": "Print the JSON Schema of scenario files, for editors.",
+    "new": "Copy the shipped bench into a new folder, as a start.",
+}
+
+
+class Program(Doors):
+    """The group of all commands: the command NAME is `command` of `fcl_sim.cli.NAME`."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002  click's signature
+        """Return the names of all commands, the main job first."""
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
+        """Return a command, imported now; UsageError with the nearest name where there is none."""
+        if cmd_name not in COMMANDS:
+            near = nearest(cmd_name, COMMANDS)
+            hint = f" Did you mean '{near}'?" if near else ""
+            raise click.UsageError(f"There is no command '{cmd_name}'.{hint}", ctx)
+        command = import_module(f"fcl_sim.cli.{cmd_name}").command
+        assert isinstance(command, click.Command)  # noqa: S101  each command's file keeps this
+        return command
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:  # noqa: ARG002
+        """Write the table of commands without importing them."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+@click.group(
+    cls=Program,
+    context_settings={"help_option_names": ["-h", "--help"]},
+    epilog=(
+        "Exit codes: 0 all green; 1 a verdict other than PASS; 2 wrong usage; 3 an input or the environment "
+        "(a file, the disk); 70 a mistake in fcl_sim itself; 130 interrupted."
+    ),
+)
+@click.version_option(__version__, prog_name="fcl-sim", message="%(prog)s %(version)s")
+def program() -> None:
+    """A test bench on which a fuzzy rule base in FCL (IEC 61131-7) is proved in closed loop."""  # noqa: D401  it is the help's title
+
+
+def main() -> None:
+    """Run the command line of this process and leave it with an exit code."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")  # a terminal without a sign shows a question mark
+    program(prog_name="fcl-sim")
