@@ -72,9 +72,10 @@ def of_environment(error: OSError) -> InputFault:
 
 def bug_report() -> str:
     """Return the sentence that asks for a report, with what the reader of one needs to know."""
+    versions = f"fcl_sim {__version__}, Python {platform.python_version()}, {platform.platform()}"
     return (
         "This is a mistake in fcl_sim, not in your files. Please report it with the lines above\n"
-        f"and the files that led to it. fcl_sim {__version__}, Python {platform.python_version()}, {platform.platform()}"
+        f"and the files that led to it. {versions}"
     )
 
 

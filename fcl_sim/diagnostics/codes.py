@@ -4,4 +4,8 @@ FCL1xx scanning, FCL2xx parsing, FCL3xx resolving, FCL4xx what the engine
 cannot evaluate; SCN scenarios, PLT plants, RUN the run and its surroundings.
 """
 
-CODES: dict[str, str] = {}
+CODES: dict[str, str] = {
+    "RUN101": "the system refused to read or write",
+    "RUN102": "the shipped bench is never written to",
+    "RUN103": "the folder holds something already",
+}
