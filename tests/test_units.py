@@ -116,16 +116,17 @@ PINT_NAMES = {"Ohm": "ohm", "t": "tonne", "l": "liter", "d": "day", "h": "hour",
 
 
 @given(without_celsius)
-def test_pint_computes_the_same_factor(registry: pint.UnitRegistry[float], powers: list[tuple[str, int]]) -> None:
+def test_pint_computes_the_same_factor(
+    registry: pint.UnitRegistry[float], powers: list[tuple[str, int]]
+) -> None:
     theirs = registry.Quantity(1.0, "")
     for name, exponent in powers:
         theirs = theirs * registry.Quantity(1.0, PINT_NAMES.get(name, name)) ** exponent
     assert parse_unit(written(powers)).factor == pytest.approx(theirs.to_base_units().magnitude, rel=1e-12)
 
 
-PREFIX_NAMES = dict(
-    G="giga", M="mega", k="kilo", h="hecto", d="deci", c="centi", m="milli", u="micro", n="nano"
-)
+PREFIX_NAMES = {"G": "giga", "M": "mega", "k": "kilo", "h": "hecto"}
+PREFIX_NAMES |= {"d": "deci", "c": "centi", "m": "milli", "u": "micro", "n": "nano"}
 
 
 @pytest.mark.parametrize("prefixed", [each for each in PREFIXED_SYMBOLS if each not in PLAIN])
@@ -170,8 +171,8 @@ def test_a_number_alone_is_dimensionless() -> None:
 @given(st.integers(-(2**52), 2**52))
 def test_times_are_exact_in_nanoseconds(ticks: int) -> None:
     assert nanoseconds(parse_quantity(f"{ticks} ns")) == ticks
-    thousands = f"{ticks // 1000}.{ticks % 1000:03}" if ticks >= 0 else f"-{-ticks // 1000}.{-ticks % 1000:03}"
-    assert nanoseconds(parse_quantity(f"{thousands} us")) == ticks
+    sign, size = "-" if ticks < 0 else "", abs(ticks)
+    assert nanoseconds(parse_quantity(f"{sign}{size // 1000}.{size % 1000:03} us")) == ticks
 
 
 def test_a_tenth_of_a_second_is_exact() -> None:

@@ -1,0 +1,124 @@
+"""Metrics of a response: how fast a signal gets where it should, and how far beyond."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from fcl_sim.judge.metric import Argument, Bound, Kind, Limits, Metric, UnitRule, Window
+from fcl_sim.loop.trace import Values
+
+FINAL = Argument("final", Kind.SIGNAL, "value that the signal should reach")
+INITIAL = Argument(
+    "initial", Kind.SIGNAL, "value that the signal starts from; else its first sample", optional=True
+)
+
+
+def crossing(time: Values, values: Values, level: float, before: int) -> float:
+    """Return when the line from sample `before` to the next one passes `level`."""
+    ahead = (level - values[before]) / (values[before + 1] - values[before])
+    return float(time[before] + ahead * (time[before + 1] - time[before]))
+
+
+def settling_time(time: Values, values: Values, *, final: float, band: float) -> float:
+    """Return when |values - final| <= band begins to hold for good; inf where the last sample is outside."""
+    outside = np.flatnonzero(np.abs(values - final) > band)
+    if outside.size == 0:
+        return 0.0
+    last = int(outside[-1])
+    if last == len(values) - 1:
+        return math.inf
+    edge = final + math.copysign(band, values[last] - final)
+    return crossing(time, values, edge, last)
+
+
+def rise_time(
+    time: Values, values: Values, *, final: float, initial: float | None = None, low: float, high: float
+) -> float:
+    """Return the time between the first passages of two levels on the way from `initial` to `final`.
+
+    The levels are the parts `low` and `high` of that way. NaN where there is no
+    way to go, inf where a level is not reached.
+    """
+    start = float(values[0]) if initial is None else initial
+    if start == final:
+        return math.nan
+    part = (values - start) / (final - start)
+    risen = _first_passage(time, part, high)
+    return risen if math.isinf(risen) else risen - _first_passage(time, part, low)
+
+
+def _first_passage(time: Values, part: Values, level: float) -> float:
+    reached = np.flatnonzero(part >= level)
+    if reached.size == 0:
+        return math.inf
+    first = int(reached[0])
+    return float(time[0]) if first == 0 else crossing(time, part, level, first - 1)
+
+
+def overshoot(_time: Values, values: Values, *, final: float, initial: float | None = None) -> float:
+    """Return how far the signal goes beyond `final` in the direction of motion; NaN where there is none."""
+    start = float(values[0]) if initial is None else initial
+    if start == final:
+        return math.nan
+    return max(0.0, float(np.max((values - final) * math.copysign(1.0, final - start))))
+
+
+def _settled(bound: Bound, window: Window, arguments: Mapping[str, float]) -> Limits | None:
+    if bound.maximum is None:
+        return None
+    final, band = arguments["final"], arguments["band"]
+    return Limits(low=final - band, high=final + band, start=bound.maximum, end=window.length)
+
+
+def _not_beyond(bound: Bound, window: Window, arguments: Mapping[str, float]) -> Limits | None:
+    start, final = arguments.get("initial", window.first), arguments["final"]
+    if bound.maximum is None or start == final:
+        return None
+    if final > start:
+        return Limits(high=final + bound.maximum, start=0.0, end=window.length)
+    return Limits(low=final - bound.maximum, start=0.0, end=window.length)
+
+
+NO_MOTION = "starts at its final value, so there is no motion towards it to measure"
+
+RESPONSE = (
+    Metric(
+        name="settling_time",
+        take=settling_time,
+        words="settling time",
+        definition="time from the start of the window until the signal stays within final ± band "
+        "to the end of the window; the crossing is interpolated linearly between two scans",
+        unit=UnitRule(time=1),
+        arguments=(FINAL, Argument("band", Kind.SIGNAL, "largest distance from the final value")),
+        never="settle",
+        limits=_settled,
+    ),
+    Metric(
+        name="rise_time",
+        take=rise_time,
+        words="rise time",
+        definition="time between the first passages of the parts low and high of the way from the initial "
+        "to the final value; the crossings are interpolated linearly between two scans",
+        unit=UnitRule(time=1),
+        arguments=(
+            FINAL,
+            INITIAL,
+            Argument("low", Kind.NUMBER, "part of the way at which the time begins", default=0.1),
+            Argument("high", Kind.NUMBER, "part of the way at which the time ends", default=0.9),
+        ),
+        never="rise",
+        undefined=NO_MOTION,
+    ),
+    Metric(
+        name="overshoot",
+        take=overshoot,
+        words="overshoot",
+        definition="largest distance of the signal beyond its final value in the direction from the initial "
+        "to the final value, in the unit of the signal; 0 where it does not go beyond",
+        unit=UnitRule(signal=1),
+        arguments=(FINAL, INITIAL),
+        undefined=NO_MOTION,
+        limits=_not_beyond,
+    ),
+)

@@ -1,0 +1,79 @@
+"""The sentences of a verdict: number, unit, bound and signal, for a reader of the report."""
+
+from fcl_sim.judge.metric import WINDOW, Kind, Metric
+from fcl_sim.judge.verdict import Requirement
+from fcl_sim.units import short
+
+DIGITS = 4
+MOST_DIGITS = 17
+
+
+def number(value: float, unit: str = "", near: float | None = None) -> str:
+    """Return `value` to four digits with its unit; to more where `near` would look the same."""
+    digits = DIGITS
+    while near is not None and near != value and digits < MOST_DIGITS and _same(value, near, digits):
+        digits += 1
+    return f"{_digits(value, digits)} {unit}".rstrip()
+
+
+def _digits(value: float, digits: int) -> str:
+    return short(float(f"{value:.{digits}g}"))
+
+
+def _same(value: float, near: float, digits: int) -> bool:
+    return float(f"{value:.{digits}g}") == float(f"{near:.{MOST_DIGITS}g}")
+
+
+def bound(requirement: Requirement) -> str:
+    """Return what is required, in words: `at most 35 s is allowed`."""
+    low, high, unit = requirement.minimum, requirement.maximum, requirement.unit
+    if low is not None and high is not None:
+        return f"{short(low)} to {exactly(high, unit)} is required"
+    if high is not None:
+        return f"at most {exactly(high, unit)} is allowed"
+    if low is not None:
+        return f"at least {exactly(low, unit)} is required"
+    return "nothing is required"
+
+
+def exactly(value: float, unit: str) -> str:
+    """Return a number that the user wrote, as it was written, with its unit."""
+    return f"{short(value)} {unit}".rstrip()
+
+
+def seconds(time: float) -> str:
+    """Return a time of the trace: what its clock says, not rounded."""
+    return exactly(time, "s")
+
+
+def definition(metric: Metric, requirement: Requirement, signal_unit: str) -> str:
+    """Return the metric in words, with the arguments that this requirement gives or leaves."""
+    units = {Kind.SIGNAL: signal_unit, Kind.TIME: "s", Kind.NUMBER: ""}
+    given = []
+    for each in (*metric.arguments, *WINDOW):
+        default = each.default if each in metric.arguments else None
+        value = requirement.arguments.get(each.name, default)
+        if value is not None:
+            given.append(f"{each.name} = {exactly(value, units[each.kind])}")
+    return f"{metric.definition}; {', '.join(given)}" if given else metric.definition
+
+
+def finding(metric: Metric, requirement: Requirement, value: float) -> str:
+    """Return what was measured and what is required, without a full stop."""
+    limits = [each for each in (requirement.minimum, requirement.maximum) if each is not None]
+    near = min(limits, key=lambda each: abs(each - value), default=None)
+    shown = number(value, requirement.unit, near)
+    return f"the {metric.words} of {requirement.signal} is {shown}; {bound(requirement)}"
+
+
+def never(metric: Metric, requirement: Requirement, end: float, last: str) -> str:
+    """Return that what is timed does not happen; `last` is the signal's value at `end` seconds."""
+    at = f"at {seconds(end)} it is at {last}"
+    return f"{requirement.signal} does not {metric.never}: {at}; {bound(requirement)}"
+
+
+def as_sentence(text: str, requirement: Requirement) -> str:
+    """Return text with a capital and a full stop; a signal keeps its letter case."""
+    if text.startswith(requirement.signal):
+        return f"{text}."
+    return f"{text[0].upper()}{text[1:]}."
