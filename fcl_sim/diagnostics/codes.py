@@ -9,4 +9,5 @@ CODES: dict[str, str] = {
     "RUN101": "the system refused to read or write",
     "RUN102": "the shipped bench is never written to",
     "RUN103": "the folder holds something already",
+    "RUN104": "a trace has no such format",
 }
