@@ -1,11 +1,13 @@
 """Which bench a command works on, and where it may write."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
-from fcl_sim.diagnostics import InputFault
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.plant.catalog import shipped_bench
 
 PACKAGE = Path(__file__).parents[1]
+CONTROLLER = ".controller.toml"
 
 
 def bench_here(folder: Path) -> Path | None:
@@ -32,3 +34,42 @@ def reports_folder() -> Path:
             "RUN102", str(here), "the shipped bench is never written to", "name a folder with --reports"
         )
     return (bench_here(here) or here) / "reports"
+
+
+def scenario_files(paths: tuple[Path, ...]) -> tuple[Path, ...]:
+    """Return the scenario files under `paths`, of the default bench where none are given.
+
+    A folder stands for the `*.toml` files below it (below its `scenarios/`
+    where it is a bench), controllers excepted. InputFault names every path
+    that is missing or has no scenario.
+    """
+    found: dict[Path, None] = {}
+    faults: list[Diagnostic] = []
+    for path in paths or (default_bench(),):
+        files = [path] if path.is_file() else list(_below(path))
+        if not files:
+            faults.append(_nothing(path))
+        found.update(dict.fromkeys(files))
+    if faults:
+        raise InputFault(faults)
+    return tuple(found)
+
+
+def _below(folder: Path) -> Iterator[Path]:
+    bench = folder / "scenarios"
+    for file in sorted((bench if bench.is_dir() else folder).rglob("*.toml")):
+        if not file.name.endswith(CONTROLLER):
+            yield file
+
+
+def _nothing(path: Path) -> Diagnostic:
+    places = (Place(file=str(path)),)
+    if path.is_dir():
+        hint = f"a scenario is a .toml file whose name does not end in {CONTROLLER}"
+        return Diagnostic(
+            code="RUN105", message="there is no scenario below this folder", places=places, hint=hint
+        )
+    siblings = [each.name for each in path.parent.iterdir()] if path.parent.is_dir() else []
+    near = nearest(path.name, siblings)
+    hint = f"did you mean {path.with_name(near)}?" if near else ""
+    return Diagnostic(code="RUN105", message="there is no such file or folder", places=places, hint=hint)

@@ -10,4 +10,5 @@ CODES: dict[str, str] = {
     "RUN102": "the shipped bench is never written to",
     "RUN103": "the folder holds something already",
     "RUN104": "a trace has no such format",
+    "RUN105": "there is no scenario",
 }
