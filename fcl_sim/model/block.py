@@ -61,7 +61,10 @@ class Defuzzification:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FunctionBlock:
-    """A fuzzy function block: all names resolve, every choice is made."""
+    """A fuzzy function block: all names resolve, every choice is made.
+
+    `options` are the contents of its OPTIONS sections, word for word (5.2.5).
+    """
 
     name: str
     inputs: tuple[Variable, ...]
@@ -70,4 +73,5 @@ class FunctionBlock:
     fuzzifications: tuple[Fuzzification, ...]
     defuzzifications: tuple[Defuzzification, ...]
     rule_blocks: tuple[RuleBlock, ...]
+    options: tuple[str, ...] = ()
     span: Span | None = field(default=None, compare=False, repr=False)

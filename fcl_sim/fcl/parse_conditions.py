@@ -1,0 +1,119 @@
+"""Conditions of rules: AND, OR, NOT and parentheses, by priority (5.2.4, Table 6)."""
+
+from dataclasses import dataclass, field
+
+from fcl_sim.fcl.cursor import Cursor
+from fcl_sim.fcl.keywords import HEDGES
+from fcl_sim.fcl.tokens import Kind, Token
+from fcl_sim.fcl.tree import And, Condition, Group, Is, Member, Not, Or
+
+DEEPEST = 50
+"""Parentheses within one another, and NOT before one another: what is deeper is refused."""
+
+_AFTER_VARIABLE = frozenset(("IS", "=", ".", "AND", "OR", "THEN", ")"))
+_AFTER_TERM = frozenset(("AND", "OR", "THEN", ")"))
+
+
+@dataclass(slots=True)
+class _Level:
+    """What has been read within one pair of parentheses."""
+
+    opening: Token | None = None
+    alternatives: list[Condition] = field(default_factory=list)
+    operands: list[Condition] = field(default_factory=list)
+    negations: list[Token] = field(default_factory=list)
+
+    def add(self, operand: Condition) -> None:
+        """Add an operand, with the NOTs that stand before it."""
+        while self.negations:
+            operand = Not(self.negations.pop(), operand)
+        self.operands.append(operand)
+
+    def end_alternative(self) -> None:
+        """Close what AND has joined: OR binds less."""
+        self.alternatives.append(_joined(self.operands, And))
+        self.operands = []
+
+    def end(self) -> Condition:
+        """Return the whole of it."""
+        self.end_alternative()
+        return _joined(self.alternatives, Or)
+
+
+def condition(cursor: Cursor) -> Condition:
+    """Read `condition ::= x {('AND' x) | ('OR' x)}` (5.4.1).
+
+    `x ::= ['NOT'] (subcondition | '(' condition ')')`. AND binds before OR
+    (Table 6). Read with a stack of its own, so that no text exhausts Python's.
+    """
+    levels = [_Level()]
+    while True:
+        _prefixes(cursor, levels)
+        levels[-1].add(subcondition(cursor))
+        while len(levels) > 1 and cursor.take(")"):
+            closed = levels.pop()
+            levels[-1].add(Group(closed.opening or cursor.last, closed.end()))
+        if cursor.take("OR"):
+            levels[-1].end_alternative()
+        elif not cursor.take("AND"):
+            break
+    if len(levels) > 1:
+        _refuse_unclosed(cursor, levels[-1].opening)
+    return levels[0].end()
+
+
+def _joined(arguments: list[Condition], kind: type[And] | type[Or]) -> Condition:
+    return arguments[0] if len(arguments) == 1 else kind(tuple(arguments))
+
+
+def _prefixes(cursor: Cursor, levels: list[_Level]) -> None:
+    """Take NOT and opening parentheses."""
+    while True:
+        token = cursor.token
+        if token.key == "(":
+            levels.append(_Level(opening=token))
+        elif token.key == "NOT" and cursor.ahead().key != "IS":
+            levels[-1].negations.append(token)
+        else:
+            return
+        if len(levels) > DEEPEST or len(levels[-1].negations) > DEEPEST:
+            raise cursor.refuse("FCL208", f"this condition is nested more than {DEEPEST} levels deep", token)
+        cursor.advance()
+
+
+def subcondition(cursor: Cursor) -> Condition:
+    """Read `subcondition ::= variable_name | variable_name 'IS' ['NOT'] term_name` (5.4.1).
+
+    Annex D's structure members are read as well (S7).
+    """
+    variable = cursor.name("the name of a variable", _AFTER_VARIABLE)
+    token = cursor.token
+    if token.key == "IS":
+        return _is(cursor, variable)
+    if token.key in {".", "="}:
+        cursor.advance()
+        member = cursor.name("the name of a member", _AFTER_TERM)
+        return Member(variable, member, variable.start, member.end)
+    return variable
+
+
+def _is(cursor: Cursor, variable: Token) -> Is:
+    cursor.advance()
+    negation = cursor.take("NOT")
+    token, following = cursor.token, cursor.ahead()
+    if token.key in HEDGES and following.kind is Kind.NAME and following.key not in _AFTER_TERM:
+        raise cursor.refuse("FCL290", f"{token.shown} is a hedge, which this version does not read", token)
+    term = cursor.name(f"a term of {variable.shown}", _AFTER_TERM)
+    return Is(variable, negation, term, variable.start, term.end)
+
+
+def _refuse_unclosed(cursor: Cursor, opening: Token | None) -> None:
+    if opening is None:
+        return
+    cursor.findings.error(
+        "FCL207",
+        "this parenthesis is not closed",
+        opening,
+        hint="write `)` before what ends the condition",
+        related=(cursor.findings.place(cursor.token, "`)` is expected before this"),),
+    )

@@ -1,0 +1,139 @@
+"""RULEBLOCK and its rules (5.2.4)."""
+
+from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
+from fcl_sim.fcl.parse_conditions import condition
+from fcl_sim.fcl.parse_values import value
+from fcl_sim.fcl.parse_variables import choice
+from fcl_sim.fcl.sections import statements
+from fcl_sim.fcl.tokens import Kind, Token
+from fcl_sim.fcl.tree import Conclusion, Rule, RuleBlock, Setting
+
+_WORDS = (Kind.NAME, Kind.NUMBER, Kind.MIXED)
+_BEGINS_STATEMENT = frozenset(("AND", "OR", "ACT", "ACCU", "RULE", "IF"))
+_AFTER_VARIABLE = frozenset(("IS", "WITH", ",", ";", "AND"))
+_AFTER_TERM = frozenset(("WITH", ",", ";", "AND"))
+
+
+def rule_block(cursor: Cursor) -> RuleBlock:
+    """Read `rule_block ::= 'RULEBLOCK' rule_block_name {statement} 'END_RULEBLOCK'` (5.4.1).
+
+    `statement ::= operator_definition | activation_method | accumulation_method | rule`.
+    """
+    opening = cursor.advance()
+    name = _block_name(cursor, opening)
+    settings: list[Setting] = []
+    rules: list[Rule] = []
+    damaged = statements(
+        cursor,
+        opening,
+        "END_RULEBLOCK",
+        {
+            "AND": lambda at: settings.append(choice(at, "an algorithm for AND", also=("OR",))),
+            "OR": lambda at: settings.append(choice(at, "an algorithm for OR", also=("AND",))),
+            "ACT": lambda at: settings.append(choice(at, "a method of activation")),
+            "ACCU": lambda at: settings.append(choice(at, "a method of accumulation")),
+            "RULE": lambda at: rules.append(_rule(at, len(rules) + 1)),
+            "IF": lambda at: rules.append(_bare_rule(at, len(rules) + 1)),
+        },
+    )
+    return RuleBlock(
+        opening=opening, name=name, settings=tuple(settings), rules=tuple(rules), damaged=damaged
+    )
+
+
+def _block_name(cursor: Cursor, opening: Token) -> Token | None:
+    token = cursor.token
+    begins = token.key in _BEGINS_STATEMENT and cursor.ahead().key == ":"
+    if begins or token.key in {"RULE", "IF", "END_RULEBLOCK"} or is_joined_rule(token, cursor.ahead()):
+        cursor.findings.warning("FCL218", "this rule block has no name", opening, hint="RULEBLOCK No1")
+        return None
+    try:
+        return cursor.name("the name of a rule block")
+    except Astray:
+        return None
+
+
+def _rule(cursor: Cursor, number: int) -> Rule:
+    """Read `rule ::= 'RULE' label ':' 'IF' condition 'THEN' conclusion ';'` (5.4.1)."""
+    joined = is_joined_rule(cursor.token, cursor.ahead())
+    keyword = cursor.advance()
+    label = keyword.text[len("RULE") :].lstrip("_") if joined else _label(cursor, keyword)
+    if cursor.token.key == "IF":
+        cursor.report("`:` is expected after the label of the rule")
+    else:
+        cursor.expect(":", "the label of the rule", instead=(":=", ";", ".", ","))
+    if not cursor.take("IF"):
+        raise cursor.stray("IF is expected after the label of the rule")
+    return _body(cursor, keyword.start, label or str(number))
+
+
+def _label(cursor: Cursor, keyword: Token) -> str:
+    """Read the label: any run of letters, digits and underscores (S5; 5.4.1 has an integer)."""
+    label = ""
+    end = cursor.token.start
+    while cursor.token.kind in _WORDS and cursor.token.start == end and cursor.token.key != "IF":
+        end = cursor.token.end
+        label += cursor.advance().text
+    if not label:
+        cursor.findings.warning("FCL217", "this rule has no label", keyword, hint="write `RULE 1: IF …`")
+    return label
+
+
+def _bare_rule(cursor: Cursor, number: int) -> Rule:
+    token = cursor.advance()
+    cursor.findings.error("FCL213", "a rule begins with RULE and a label", token, hint="write `RULE 1: IF …`")
+    return _body(cursor, token.start, str(number))
+
+
+def _body(cursor: Cursor, start: int, label: str) -> Rule:
+    """Read what follows IF."""
+    rule_condition = condition(cursor)
+    if not cursor.take("THEN"):
+        raise cursor.stray("AND, OR or THEN is expected after a subcondition", lambda: _advice(cursor))
+    conclusions = conclusion(cursor)
+    end = cursor.last.end
+    cursor.end_statement()
+    return Rule(label=label, condition=rule_condition, conclusions=conclusions, start=start, end=end)
+
+
+def conclusion(cursor: Cursor) -> tuple[Conclusion, ...]:
+    """Read `conclusion ::= subconclusion {',' subconclusion}` (5.4.1).
+
+    AND in place of the comma is noted (S6).
+    """
+    parts = [subconclusion(cursor)]
+    while True:
+        token = cursor.token
+        if token.key == "AND" and cursor.ahead().key != ":":
+            message = "subconclusions are joined by AND: the grammar wants a comma (S6)"
+            cursor.findings.note("FCL214", message, token)
+        elif token.key == "OR" and cursor.ahead().key != ":":
+            hint = "write a comma, or two rules"
+            raise cursor.refuse("FCL215", "subconclusions cannot be joined by OR", token, hint)
+        elif token.key != ",":
+            return tuple(parts)
+        cursor.advance()
+        parts.append(subconclusion(cursor))
+
+
+def subconclusion(cursor: Cursor) -> Conclusion:
+    """Read `subconclusion ::= variable_name ['IS' term_name] ['WITH' weighting_factor]` (5.4.1, S12).
+
+    `weighting_factor ::= variable | numeric_literal`.
+    """
+    variable = cursor.name("the name of an output variable", _AFTER_VARIABLE)
+    term = None
+    weight = None
+    if cursor.take("IS"):
+        if cursor.token.key == "NOT":
+            hint = "name the term that is meant"
+            raise cursor.refuse("FCL215", "a conclusion cannot be negated", cursor.token, hint)
+        term = cursor.name(f"a term of {variable.shown}", _AFTER_TERM)
+    if cursor.take("WITH"):
+        weight = value(cursor, "a weighting factor, a number from 0 to 1 or the name of a variable,")
+    return Conclusion(variable, term, weight, variable.start, cursor.last.end)
+
+
+def _advice(cursor: Cursor) -> str:
+    near = cursor.findings.near(cursor.token.key, ("AND", "OR", "THEN"))
+    return f"did you mean {near}?" if near else ""

@@ -1,0 +1,149 @@
+"""Tokens → syntax tree: generous, and never in doubt where to go on (5.4.1)."""
+
+from dataclasses import dataclass
+
+from fcl_sim.diagnostics import Diagnostic, Span
+from fcl_sim.fcl.cursor import Cursor
+from fcl_sim.fcl.findings import Stretch
+from fcl_sim.fcl.keywords import ENDS, SECTIONS
+from fcl_sim.fcl.parse_declarations import KINDS, OTHER_KINDS, declarations
+from fcl_sim.fcl.parse_rules import rule_block
+from fcl_sim.fcl.parse_variables import defuzzify, fuzzify
+from fcl_sim.fcl.sections import Reader, report_unclosed, statements
+from fcl_sim.fcl.tokens import Kind, Scan, Token
+from fcl_sim.fcl.tree import Block, Heading, Options, Section, Tree
+
+_END = "END_FUNCTION_BLOCK"
+_NO_NAME = SECTIONS | ENDS | {"FUNCTION_BLOCK"}
+_AFTER_NAME = _NO_NAME | {";"}
+_OPTION_ENDS = ("END_OPTIONS", "END_OPTION")
+
+
+@dataclass(frozen=True, slots=True)
+class Parsing:
+    """The product of the parser: a tree of whatever could be read."""
+
+    tree: Tree
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def parse(scan: Scan) -> Parsing:
+    """Return the syntax tree of a text: one or several function blocks (S16)."""
+    cursor = Cursor(scan)
+    blocks: list[Block] = []
+    verbatim: list[Span] = []
+    types = False
+    while cursor.token.kind is not Kind.END:
+        if cursor.token.key == "TYPE":
+            types = True
+            _skip_types(cursor)
+        elif _begins_block(cursor, first=not blocks):
+            blocks.append(function_block(cursor))
+        else:
+            verbatim.append(_pass_over(cursor, first=not blocks))
+    if not blocks and cursor.last.kind is not Kind.STRAY:
+        cursor.findings.error("FCL205", "there is no FUNCTION_BLOCK in this text", Stretch(0, 0))
+    inside = [each for block in blocks for each in block.sections if isinstance(each, Options)]
+    verbatim += [cursor.findings.span(each) for each in inside]
+    tree = Tree(source=scan.source, blocks=tuple(blocks), verbatim=tuple(verbatim), types=types)
+    return Parsing(tree, cursor.findings.diagnostics())
+
+
+def function_block(cursor: Cursor) -> Block:
+    """Read `function_block ::= 'FUNCTION_BLOCK' name {section} 'END_FUNCTION_BLOCK'` (5.4.1).
+
+    `section ::= declarations | fuzzify_block | defuzzify_block | rule_block |
+    option_block`, in any order. A text that begins with a section is read as if
+    the heading stood there.
+    """
+    opening = cursor.token
+    heading = None
+    if opening.key in SECTIONS:
+        cursor.findings.error("FCL205", f"FUNCTION_BLOCK is expected before {opening.key}", opening)
+    else:
+        cursor.advance()
+        heading = _heading(cursor, opening)
+    sections: list[Section] = []
+    readers: dict[str, Reader] = {each: _loose_end for each in ENDS if each != _END}
+    readers |= {each: lambda at: sections.append(declarations(at)) for each in sorted(KINDS | OTHER_KINDS)}
+    readers["FUZZIFY"] = lambda at: sections.append(fuzzify(at))
+    readers["DEFUZZIFY"] = lambda at: sections.append(defuzzify(at))
+    readers["RULEBLOCK"] = lambda at: sections.append(rule_block(at))
+    readers["OPTIONS"] = readers["OPTION"] = lambda at: sections.append(options(at))
+    damaged = statements(cursor, opening, _END, readers, outer=frozenset(("FUNCTION_BLOCK",)))
+    cursor.take(";")
+    return Block(opening=opening, heading=heading, sections=tuple(sections), damaged=damaged)
+
+
+def options(cursor: Cursor) -> Options:
+    """Read `option_block ::= 'OPTION' any text 'END_OPTION'`, or OPTIONS and END_OPTIONS (Table 7, S4)."""
+    opening = cursor.advance()
+    while cursor.token.key not in _OPTION_ENDS:
+        if cursor.token.kind is Kind.END or cursor.token.key in {_END, "FUNCTION_BLOCK"}:
+            report_unclosed(cursor, opening, f"END_{opening.key}")
+            break
+        cursor.advance()
+    end = cursor.token.start
+    if cursor.token.key in _OPTION_ENDS:
+        cursor.advance()
+    return Options(cursor.source.text[opening.end : end], opening.end, end)
+
+
+def _begins_block(cursor: Cursor, *, first: bool) -> bool:
+    token = cursor.token
+    if token.key == "FUNCTION_BLOCK" or (first and token.key in SECTIONS):
+        return True
+    if token.kind is Kind.NAME and cursor.findings.near(token.key, ("FUNCTION_BLOCK",)):
+        message = f"{token.shown} is not a keyword"
+        cursor.findings.error("FCL204", message, token, hint="did you mean FUNCTION_BLOCK?")
+        return True
+    return False
+
+
+def _heading(cursor: Cursor, opening: Token) -> Heading | None:
+    """Return the name: what stands up to the end of its line, identifier or not (S11, S17)."""
+    first = cursor.token
+    if first.key in _NO_NAME or first.kind is Kind.END:
+        hint = "the file's name is taken"
+        cursor.findings.warning("FCL216", "this function block has no name", opening, hint)
+        return None
+    cursor.advance()
+    words = 1
+    while not (cursor.token.key in _AFTER_NAME or cursor.token.kind is Kind.END or cursor.starts_line()):
+        cursor.advance()
+        words += 1
+    heading = Heading(cursor.source.text[first.start : cursor.last.end], first.start, cursor.last.end)
+    if words > 1 or first.kind is not Kind.NAME:
+        message = "the function block's name is not an identifier (Open Level, S17)"
+        cursor.findings.note("FCL221", message, heading)
+    return heading
+
+
+def _loose_end(cursor: Cursor) -> None:
+    token = cursor.advance()
+    cursor.findings.error("FCL203", f"{token.shown} closes nothing: no such section is open", token)
+
+
+def _skip_types(cursor: Cursor) -> None:
+    message = "structure types (TYPE … END_TYPE) are not read by this version"
+    cursor.findings.error("FCL290", message, cursor.advance())
+    while cursor.token.kind is not Kind.END and cursor.token.key != "FUNCTION_BLOCK":
+        if cursor.advance().key == "END_TYPE":
+            cursor.take(";")
+            return
+
+
+def _pass_over(cursor: Cursor, *, first: bool) -> Span:
+    """Go on at the next function block; what is passed over is not FCL (S15b)."""
+    token = cursor.token
+    while cursor.token.kind is not Kind.END and cursor.token.key != "FUNCTION_BLOCK":
+        cursor.advance()
+    stretch = Stretch(token.start, cursor.token.start)
+    if token.key in SECTIONS:
+        message = f"{token.key} stands behind END_FUNCTION_BLOCK and belongs to no function block"
+        cursor.findings.error("FCL211", message, token)
+    elif first and cursor.token.kind is not Kind.END:
+        cursor.findings.error("FCL211", "a text begins with FUNCTION_BLOCK", token)
+    elif not first and token.kind is not Kind.STRAY:
+        cursor.findings.warning("FCL210", "text behind END_FUNCTION_BLOCK is passed over", token)
+    return cursor.findings.span(stretch)

@@ -1,0 +1,79 @@
+"""Text → model, all stages in one go."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from fcl_sim.diagnostics import Diagnostic, Place, Severity, Source, Span
+from fcl_sim.fcl.findings import in_order
+from fcl_sim.fcl.parser import parse
+from fcl_sim.fcl.resolver import resolve
+from fcl_sim.fcl.scanner import scan
+from fcl_sim.model import FunctionBlock
+
+LONGEST_TEXT = 8 * 1024 * 1024
+"""In characters; 10,000 rules are one million."""
+
+UNNAMED = "unnamed"
+"""The name of a function block without one, in a text that is no file."""
+
+_CHARACTERS = frozenset(("FCL111", "FCL112", "FCL115"))
+"""What the scanner says of single words: of no interest where the text is not FCL."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What a text says. `blocks` is empty where one of the diagnostics is an error."""
+
+    blocks: tuple[FunctionBlock, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def errors(self) -> tuple[Diagnostic, ...]:
+        """The findings for which there are no blocks."""
+        return tuple(each for each in self.diagnostics if each.is_error)
+
+
+def read(text: str, name: str = "<text>") -> Reading:
+    """Return the function blocks of an FCL text (S16), and everything that is to be said about it.
+
+    `name` is what the user calls the text; a function block without a name is
+    called by its stem (S11). No text raises an exception.
+    """
+    source = Source(name, text)
+    if len(text) > LONGEST_TEXT:
+        message = f"this text has {len(text)} characters; {LONGEST_TEXT} are read at most"
+        too_long = Diagnostic(code="FCL102", message=message, places=(Place(Span(source, 0, 0)),))
+        return Reading((), (too_long,))
+    scanned = scan(source)
+    parsed = parse(scanned)
+    resolved = resolve(parsed.tree, PurePath(name).stem if name != "<text>" else UNNAMED)
+    characters = _outside(scanned.diagnostics, parsed.tree.verbatim)
+    diagnostics = in_order((*characters, *parsed.diagnostics, *resolved.diagnostics))
+    faulty = any(each.severity is Severity.ERROR for each in diagnostics)
+    return Reading(() if faulty else resolved.blocks, diagnostics)
+
+
+def _outside(diagnostics: Sequence[Diagnostic], verbatim: Sequence[Span]) -> list[Diagnostic]:
+    """Return what the scanner found, without the words of stretches that are not FCL."""
+    kept = []
+    for each in diagnostics:
+        places = each.places
+        if each.code in _CHARACTERS:
+            places = tuple(place for place in places if not _is_within(place, verbatim))
+        if places:
+            kept.append(
+                Diagnostic(
+                    code=each.code,
+                    message=each.message,
+                    severity=each.severity,
+                    places=places,
+                    hint=each.hint,
+                )
+            )
+    return kept
+
+
+def _is_within(place: Place, stretches: Sequence[Span]) -> bool:
+    span = place.span
+    return span is not None and any(each.start <= span.start < each.end for each in stretches)

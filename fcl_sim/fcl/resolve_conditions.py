@@ -1,0 +1,123 @@
+"""Conditions → the model (5.2.4, S27 to S29)."""
+
+from fcl_sim.fcl import tree
+from fcl_sim.fcl.scope import Declared, Role, Scope
+from fcl_sim.fcl.tokens import Token
+from fcl_sim.model import And, Condition, Degree, Is, Not, Or
+
+
+def resolve_condition(scope: Scope, condition: tree.Condition) -> Condition | None:
+    """Return a condition, None where one of its names means nothing.
+
+    Calls itself as deep as parentheses are nested, which the parser bounds.
+    """
+    match condition:
+        case tree.Is():
+            return _is(scope, condition)
+        case Token():
+            return _degree(scope, condition)
+        case tree.Group():
+            return resolve_condition(scope, condition.argument)
+        case tree.Not():
+            argument = resolve_condition(scope, condition.argument)
+            return argument and Not(argument)
+        case tree.And() | tree.Or():
+            return _joined(scope, condition)
+        case tree.Member():
+            _refuse_member(scope, condition)
+    return None
+
+
+def _joined(scope: Scope, condition: tree.And | tree.Or) -> Condition | None:
+    """Return a condition of several, None where one of them is missing; all of them are looked at."""
+    resolved = [resolve_condition(scope, each) for each in condition.arguments]
+    arguments = tuple(each for each in resolved if each is not None)
+    if len(arguments) < len(resolved):
+        return None
+    return And(arguments) if isinstance(condition, tree.And) else Or(arguments)
+
+
+def _is(scope: Scope, condition: tree.Is) -> Condition | None:
+    if _is_swapped(scope, condition):
+        return None
+    declared = scope.find(condition.variable)
+    if declared is None:
+        return None
+    terms = scope.terms.get(declared.token.key)
+    if terms is None:
+        if not scope.headless:
+            _report_without_terms(scope, declared, condition.variable)
+        return None
+    term = scope.find_term(declared, terms, condition.term)
+    if declared.role is Role.OUTPUT:
+        _require_concluded(scope, declared, condition.variable)
+        message = f"`{declared.name}` is an output: what the rules above have accumulated counts here (S27a)"
+        scope.findings.warning("FCL351", message, condition)
+    if term is None:
+        return None
+    found = Is(declared.name, term, scope.findings.span(condition))
+    return found if condition.negation is None else Not(found)
+
+
+def _is_swapped(scope: Scope, condition: tree.Is) -> bool:
+    """Report `term IS variable` as what it is."""
+    variable = scope.variables.get(condition.term.key)
+    terms = scope.terms.get(condition.term.key)
+    if condition.variable.key in scope.variables or variable is None or terms is None:
+        return False
+    if condition.variable.key not in terms.names:
+        return False
+    scope.findings.error(
+        "FCL353",
+        f"{condition.variable.shown} is a term and `{variable.name}` its variable: they have changed places",
+        condition,
+        hint=f"write `{variable.name} IS {condition.variable.text}`",
+    )
+    return True
+
+
+def _report_without_terms(scope: Scope, declared: Declared, at: Token) -> None:
+    name = declared.name
+    if declared.role is Role.INPUT:
+        message = f"`{name}` has no FUZZIFY, so that it has no terms"
+        hint = f"write FUZZIFY {name} … END_FUZZIFY; without IS, `{name}` is taken as a degree"
+    elif declared.role is Role.OUTPUT:
+        message, hint = f"`{name}` has no DEFUZZIFY, so that it has no terms", ""
+    else:
+        message = f"`{name}` is a local variable and has no terms"
+        hint = f"without IS, `{name}` is the degree that the rules above have concluded"
+    scope.findings.error("FCL311", message, at, hint)
+
+
+def _degree(scope: Scope, token: Token) -> Condition | None:
+    declared = scope.find(token)
+    if declared is None:
+        return None
+    name = declared.name
+    has_terms = token.key in scope.terms
+    if declared.role is Role.INPUT:
+        if has_terms:
+            message = f"`{name}` has terms but stands here without IS: its value is taken as a degree (S27)"
+            scope.findings.warning("FCL349", message, token)
+    elif has_terms:
+        message = f"`{name}` is a number and not a degree of membership"
+        scope.findings.error("FCL350", message, token, hint=f"write `{name} IS …`")
+        return None
+    else:
+        _require_concluded(scope, declared, token)
+    return Degree(name, scope.findings.span(token))
+
+
+def _require_concluded(scope: Scope, declared: Declared, at: Token) -> None:
+    """Report a use before the first conclusion: rules are evaluated in the order of the text (S27a, S29)."""
+    if declared.token.key not in scope.concluded:
+        message = f"`{declared.name}` is used before a rule has concluded on it"
+        scope.findings.error("FCL348", message, at, hint="rules are evaluated in the order of the text")
+
+
+def _refuse_member(scope: Scope, condition: tree.Member) -> None:
+    if condition.structure.key in scope.variables:
+        message = "members of structures are not read by this version"
+        scope.findings.error("FCL290", message, condition, hint="compare with a term by IS")
+    else:
+        scope.find(condition.structure)

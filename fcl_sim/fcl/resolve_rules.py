@@ -1,0 +1,150 @@
+"""Rule blocks → the model (5.2.4)."""
+
+from collections.abc import Mapping, Sequence
+
+from fcl_sim.fcl.resolve_conditions import resolve_condition
+from fcl_sim.fcl.resolve_settings import algorithm, settings_by_key
+from fcl_sim.fcl.scope import Declared, Role, Scope
+from fcl_sim.fcl.tokens import Token
+from fcl_sim.fcl.tree import Conclusion, Rule, RuleBlock, Setting, Value
+from fcl_sim.model import Accumulation, Activation, AndOperator, OrOperator
+from fcl_sim.model import Conclusion as ModelConclusion
+from fcl_sim.model import Rule as ModelRule
+from fcl_sim.model import RuleBlock as ModelRuleBlock
+
+_PAIRS = {
+    AndOperator.MIN: OrOperator.MAX,
+    AndOperator.PROD: OrOperator.ASUM,
+    AndOperator.BDIF: OrOperator.BSUM,
+}
+"""Table 3."""
+_PAIRS_OF_OR = {other: one for one, other in _PAIRS.items()}
+
+
+def resolve_rule_block(scope: Scope, section: RuleBlock, number: int) -> ModelRuleBlock:
+    """Return a rule block with the rules that can be used; the `number`-th is so named if it has no name."""
+    settings = settings_by_key(scope, section.settings)
+    and_operator, or_operator = _operators(scope, settings)
+    activation, accumulation = Activation.MIN, Accumulation.MAX
+    if "ACT" in settings:
+        activation = algorithm(scope, settings["ACT"], Activation, "a method of activation") or activation
+    if "ACCU" in settings:
+        chosen = algorithm(scope, settings["ACCU"], Accumulation, "a method of accumulation")
+        accumulation = chosen or accumulation
+    elif not section.damaged:
+        message = "this rule block has no ACCU: MAX is taken"
+        scope.findings.warning("FCL341", message, section.name or section.opening, hint="write `ACCU: MAX;`")
+    _check_labels(scope, section.rules)
+    resolved = [resolve_rule(scope, each) for each in section.rules]
+    return ModelRuleBlock(
+        name=section.name.text if section.name else f"No{number}",
+        and_operator=and_operator,
+        or_operator=or_operator,
+        activation=activation,
+        accumulation=accumulation,
+        rules=tuple(each for each in resolved if each is not None),
+        span=scope.findings.span(section.name or section.opening),
+    )
+
+
+def resolve_rule(scope: Scope, rule: Rule) -> ModelRule | None:
+    """Return a rule, None where one of its names means nothing."""
+    condition = resolve_condition(scope, rule.condition)
+    conclusions = [_conclusion(scope, each) for each in rule.conclusions]
+    _note_weight(scope, rule.conclusions)
+    resolved = tuple(each for each in conclusions if each is not None)
+    if condition is None or len(resolved) < len(conclusions):
+        return None
+    return ModelRule(rule.label, condition, resolved, scope.findings.span(rule))
+
+
+def _operators(scope: Scope, settings: Mapping[str, Setting]) -> tuple[AndOperator, OrOperator]:
+    """Return the pair; a missing one is the pair of the other (S10)."""
+    and_setting, or_setting = settings.get("AND"), settings.get("OR")
+    chosen_and = algorithm(scope, and_setting, AndOperator, "an algorithm for AND") if and_setting else None
+    chosen_or = algorithm(scope, or_setting, OrOperator, "an algorithm for OR") if or_setting else None
+    and_operator = chosen_and or (_PAIRS_OF_OR[chosen_or] if chosen_or else AndOperator.MIN)
+    or_operator = chosen_or or _PAIRS[and_operator]
+    if chosen_and and chosen_or and and_setting and _PAIRS[chosen_and] is not chosen_or:
+        scope.findings.warning(
+            "FCL342",
+            f"AND by {chosen_and} and OR by {chosen_or} are no pair: de Morgan's law does not hold",
+            and_setting,
+            hint=f"the pair of {chosen_and} is {_PAIRS[chosen_and]} (Table 3)",
+        )
+    return and_operator, or_operator
+
+
+def _check_labels(scope: Scope, rules: Sequence[Rule]) -> None:
+    seen: dict[str, Rule] = {}
+    for rule in rules:
+        first = seen.setdefault(rule.label.upper(), rule)
+        if first is not rule:
+            scope.findings.warning(
+                "FCL340",
+                f"another rule of this block has the label {rule.label}: both count (S5)",
+                rule,
+                related=(scope.findings.place(first, "first here"),),
+            )
+
+
+# -- conclusions
+
+
+def _conclusion(scope: Scope, conclusion: Conclusion) -> ModelConclusion | None:
+    weight = _weight(scope, conclusion.weight)
+    declared = scope.find(conclusion.variable)
+    if declared is None:
+        return None
+    if declared.role is Role.INPUT:
+        message = f"`{declared.name}` is an input: rules conclude on outputs and local variables"
+        scope.findings.error("FCL346", message, conclusion.variable)
+        return None
+    scope.concluded.add(declared.token.key)
+    term = None
+    if conclusion.term is not None:
+        term = _concluded_term(scope, declared, conclusion, conclusion.term)
+        if term is None:
+            return None
+    elif declared.token.key in scope.terms:
+        message = f"this conclusion does not say which term of `{declared.name}` follows"
+        scope.findings.error("FCL347", message, conclusion, hint=f"write `{declared.name} IS …`")
+        return None
+    if weight is None:
+        return None
+    return ModelConclusion(declared.name, term, weight, scope.findings.span(conclusion))
+
+
+def _concluded_term(scope: Scope, declared: Declared, conclusion: Conclusion, term: Token) -> str | None:
+    terms = scope.terms.get(declared.token.key)
+    if terms is not None:
+        return scope.find_term(declared, terms, term)
+    if not scope.headless:
+        if declared.role is Role.OUTPUT:
+            message = f"`{declared.name}` has no DEFUZZIFY: it has no terms and cannot become a number"
+            hint = f"write DEFUZZIFY {declared.name} … END_DEFUZZIFY"
+        else:
+            message = f"`{declared.name}` is a local variable and has no terms"
+            hint = f"conclude on it without IS: `THEN {declared.name}`"
+        scope.findings.error("FCL345", message, conclusion.variable, hint)
+    return None
+
+
+def _weight(scope: Scope, weight: Value | None) -> float | str | None:
+    if weight is None:
+        return 1.0
+    if isinstance(weight, Token):
+        return scope.find_input(weight, "a weighting factor")
+    if 0.0 <= weight.value <= 1.0:
+        return weight.value
+    message = f"the weighting factor `{scope.findings.span(weight).text}` is not between 0 and 1"
+    scope.findings.error("FCL343", message, weight)
+    return None
+
+
+def _note_weight(scope: Scope, conclusions: Sequence[Conclusion]) -> None:
+    """Say whose weight it is where one could take it for the whole rule's (S12)."""
+    *others, last = conclusions
+    if others and last.weight is not None and all(each.weight is None for each in others):
+        message = "WITH belongs to the last subconclusion alone (S12)"
+        scope.findings.note("FCL344", message, last, hint="repeat it for each subconclusion it is meant for")

@@ -1,0 +1,172 @@
+"""FUZZIFY and DEFUZZIFY → the model (5.2.2, 5.2.3)."""
+
+from fcl_sim.fcl.resolve_settings import algorithm, settings_by_key
+from fcl_sim.fcl.resolve_terms import resolve_terms
+from fcl_sim.fcl.scope import Declared, Role, Scope, Terms
+from fcl_sim.fcl.tokens import Token
+from fcl_sim.fcl.tree import Defuzzify, Fuzzify, Range, Setting
+from fcl_sim.model import Defuzzification, Fuzzification, Method, Singleton
+from fcl_sim.model import Term as ModelTerm
+
+
+def resolve_fuzzify(scope: Scope, section: Fuzzify) -> Fuzzification | None:
+    """Return the terms of an input, None where it is not clear of which."""
+    declared = _owner(scope, section, Role.INPUT)
+    terms = Terms(damaged=section.damaged)
+    resolved = resolve_terms(scope, terms, section.terms, output=False)
+    _enter(scope, section, declared, terms)
+    if declared is None or section.variable is None:
+        return None
+    _require_terms(scope, section)
+    return Fuzzification(declared.name, resolved, scope.findings.span(section.variable))
+
+
+def resolve_defuzzify(scope: Scope, section: Defuzzify) -> Defuzzification | None:
+    """Return the terms of an output and how it becomes a number, None where it is not clear of which."""
+    declared = _owner(scope, section, Role.OUTPUT)
+    terms = Terms(damaged=section.damaged)
+    resolved = resolve_terms(scope, terms, section.terms, output=True)
+    _enter(scope, section, declared, terms)
+    settings = settings_by_key(scope, section.settings)
+    limits = _range(scope, settings.get("RANGE"))
+    method = _method(scope, section, settings.get("METHOD"), resolved)
+    default = _default(scope, section, settings.get("DEFAULT"))
+    if "RANGE" not in settings and not section.damaged and _areas(resolved):
+        message = (
+            f"{_title(section)} has terms with an area but no RANGE: the hull of their points is taken (S32)"
+        )
+        scope.findings.warning("FCL336", message, section.variable or section.opening)
+    if declared is None or section.variable is None:
+        return None
+    _require_terms(scope, section)
+    return Defuzzification(
+        variable=declared.name,
+        terms=resolved,
+        method=method,
+        default=default,
+        range=limits,
+        span=scope.findings.span(section.variable),
+    )
+
+
+# -- whose terms
+
+
+def _owner(scope: Scope, section: Fuzzify | Defuzzify, role: Role) -> Declared | None:
+    """Return the variable whose terms a section gives."""
+    if section.variable is None:
+        scope.headless = True
+        return None
+    declared = scope.find(section.variable)
+    if declared is None:
+        scope.headless = True
+        return None
+    if declared.role is not role:
+        what = "an input" if role is Role.INPUT else "an output"
+        section_name = declared.role.value
+        scope.findings.error(
+            "FCL312" if role is Role.INPUT else "FCL313",
+            f"{section.opening.key} is for {what}, and `{declared.name}` is declared in {section_name}",
+            section.variable,
+            related=(scope.findings.place(declared.token, "declared here"),),
+        )
+    return declared
+
+
+def _enter(scope: Scope, section: Fuzzify | Defuzzify, declared: Declared | None, terms: Terms) -> None:
+    if declared is None or section.variable is None:
+        return
+    first = scope.terms.setdefault(declared.token.key, terms)
+    if first is not terms:
+        scope.findings.error(
+            "FCL315", f"`{declared.name}` has a second {section.opening.key}", section.variable
+        )
+        first.names |= terms.names
+        first.damaged = first.damaged or terms.damaged
+
+
+def _require_terms(scope: Scope, section: Fuzzify | Defuzzify) -> None:
+    if not section.terms and not section.damaged:
+        at = section.variable or section.opening
+        scope.findings.error("FCL320", f"{_title(section)} has no TERM", at)
+
+
+def _title(section: Fuzzify | Defuzzify) -> str:
+    return f"{section.opening.key} {section.variable.text}" if section.variable else section.opening.key
+
+
+# -- how an output becomes a number
+
+
+def _method(
+    scope: Scope, section: Defuzzify, setting: Setting | None, terms: tuple[ModelTerm, ...]
+) -> Method:
+    areas, singletons = _areas(terms), _singletons(terms)
+    fitting = Method.COGS if singletons and not areas else Method.COG
+    if areas and singletons:
+        scope.findings.error(
+            "FCL332",
+            f"{_title(section)} mixes singletons with terms that have an area",
+            section.variable or section.opening,
+            hint="give every term points, or every term a single value (S35)",
+        )
+        return fitting
+    if setting is None:
+        if not section.damaged:
+            reason = "all terms are singletons" if fitting is Method.COGS else "the terms have an area"
+            scope.findings.warning(
+                "FCL334",
+                f"{_title(section)} has no METHOD: {fitting} is taken, since {reason}",
+                section.variable or section.opening,
+            )
+        return fitting
+    chosen = algorithm(scope, setting, Method, "a method of defuzzification")
+    if chosen is None or not terms:
+        return fitting
+    return _suited(scope, setting, chosen, fitting)
+
+
+def _suited(scope: Scope, setting: Setting, chosen: Method, fitting: Method) -> Method:
+    """Refuse a method that the terms do not allow (S35)."""
+    at = setting.value
+    if chosen is Method.COG and fitting is Method.COGS:
+        scope.findings.note("FCL338", "CoG of singletons alone is CoGS", at)
+        return Method.COGS
+    if chosen is Method.COA and fitting is Method.COGS:
+        message = "CoA is not applicable to singletons (Table 1, note 3)"
+        scope.findings.error("FCL331", message, at, hint="CoGS, LM and RM are")
+    elif chosen is Method.COGS and fitting is Method.COG:
+        message = "CoGS is a method for singletons, and these terms have an area"
+        scope.findings.error("FCL331", message, at, hint="CoG, CoA, LM and RM are for areas")
+    return chosen
+
+
+def _areas(terms: tuple[ModelTerm, ...]) -> bool:
+    return any(not isinstance(each.shape, Singleton) for each in terms)
+
+
+def _singletons(terms: tuple[ModelTerm, ...]) -> bool:
+    return any(isinstance(each.shape, Singleton) for each in terms)
+
+
+def _default(scope: Scope, section: Defuzzify, setting: Setting | None) -> float | None:
+    if setting is None:
+        if not section.damaged:
+            message = f"{_title(section)} has no DEFAULT: NC is taken, no change while no rule is active"
+            scope.findings.warning("FCL335", message, section.variable or section.opening)
+        return None
+    if isinstance(setting.value, Token | Range):
+        return None
+    return setting.value.value
+
+
+def _range(scope: Scope, setting: Setting | None) -> tuple[float, float] | None:
+    if setting is None or not isinstance(setting.value, Range):
+        return None
+    low, high = setting.value.low, setting.value.high
+    if low.value < high.value:
+        return low.value, high.value
+    spans = scope.findings.span(low), scope.findings.span(high)
+    message = f"the range is empty: {spans[0].text} is not below {spans[1].text}"
+    scope.findings.error("FCL337", message, setting)
+    return None

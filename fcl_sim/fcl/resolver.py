@@ -1,0 +1,111 @@
+"""Syntax tree → model: strict, because it knows what exists and can say what was meant."""
+
+from dataclasses import dataclass
+
+from fcl_sim.diagnostics import Diagnostic
+from fcl_sim.fcl.findings import Findings
+from fcl_sim.fcl.resolve_declarations import resolve_declarations
+from fcl_sim.fcl.resolve_rules import resolve_rule_block
+from fcl_sim.fcl.resolve_variables import resolve_defuzzify, resolve_fuzzify
+from fcl_sim.fcl.scope import Declared, Role, Scope
+from fcl_sim.fcl.tree import Block, Declarations, Defuzzify, Fuzzify, Options, RuleBlock, Tree
+from fcl_sim.model import FunctionBlock, Variable
+from fcl_sim.model import RuleBlock as ModelRuleBlock
+
+
+@dataclass(frozen=True, slots=True)
+class Resolution:
+    """The product of the resolver. The blocks are whole only where no finding is an error."""
+
+    blocks: tuple[FunctionBlock, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+
+def resolve(tree: Tree, name: str) -> Resolution:
+    """Return the function blocks of a text; one without a name is called `name` (S11)."""
+    findings = Findings(tree.source)
+    blocks = tuple(_function_block(findings, each, name, types=tree.types) for each in tree.blocks)
+    seen: dict[str, Block] = {}
+    for block, model in zip(tree.blocks, blocks, strict=True):
+        first = seen.setdefault(model.name.upper(), block)
+        if first is not block:
+            findings.error(
+                "FCL301",
+                f"two function blocks have the name `{model.name}`",
+                block.heading or block.opening,
+                related=(findings.place(first.heading or first.opening, "first here"),),
+            )
+    return Resolution(blocks, findings.diagnostics())
+
+
+def _function_block(findings: Findings, block: Block, name: str, *, types: bool) -> FunctionBlock:
+    scope = Scope(findings)
+    sections = block.sections
+    for each in sections:
+        if isinstance(each, Declarations):
+            resolve_declarations(scope, each, types=types)
+    fuzzifications = [resolve_fuzzify(scope, each) for each in sections if isinstance(each, Fuzzify)]
+    defuzzifications = [resolve_defuzzify(scope, each) for each in sections if isinstance(each, Defuzzify)]
+    written = [each for each in sections if isinstance(each, RuleBlock)]
+    rule_blocks = [resolve_rule_block(scope, each, number) for number, each in enumerate(written, start=1)]
+    _check_names(scope, written)
+    _check_accumulation(scope, rule_blocks)
+    if not (block.damaged or any(each.damaged for each in written)):
+        _check_outputs(scope)
+    scope.note_spellings()
+    return FunctionBlock(
+        name=block.heading.text if block.heading else name,
+        inputs=_variables(scope, Role.INPUT),
+        outputs=_variables(scope, Role.OUTPUT),
+        variables=_variables(scope, Role.LOCAL),
+        fuzzifications=tuple(each for each in fuzzifications if each is not None),
+        defuzzifications=tuple(each for each in defuzzifications if each is not None),
+        rule_blocks=tuple(rule_blocks),
+        options=tuple(each.text for each in sections if isinstance(each, Options)),
+        span=findings.span(block.heading or block.opening),
+    )
+
+
+def _variables(scope: Scope, role: Role) -> tuple[Variable, ...]:
+    return tuple(each.variable for each in scope.variables.values() if each.role is role)
+
+
+def _check_names(scope: Scope, rule_blocks: list[RuleBlock]) -> None:
+    """Each rule block has a name of its own (5.2.4)."""
+    seen: dict[str, RuleBlock] = {}
+    for each in rule_blocks:
+        if each.name is None:
+            continue
+        first = seen.setdefault(each.name.key, each)
+        if first is not each and first.name is not None:
+            scope.report_twice(
+                "FCL352", f"two rule blocks have the name {each.name.shown}", each.name, first.name
+            )
+
+
+def _check_accumulation(scope: Scope, rule_blocks: list[ModelRuleBlock]) -> None:
+    """Warn where rule blocks that conclude on one output accumulate differently (S26)."""
+    for output in _outputs(scope):
+        concluding = [each for each in rule_blocks if _concludes(each, output.name)]
+        if len({each.accumulation for each in concluding}) > 1:
+            scope.findings.warning(
+                "FCL354",
+                f"rule blocks with different ACCU conclude on `{output.name}`: each accumulates by its own, "
+                "and MAX joins them (S26)",
+                output.token,
+            )
+
+
+def _concludes(rule_block: ModelRuleBlock, output: str) -> bool:
+    return any(each.variable == output for rule in rule_block.rules for each in rule.conclusions)
+
+
+def _check_outputs(scope: Scope) -> None:
+    for output in _outputs(scope):
+        if output.token.key not in scope.concluded:
+            message = f"no rule concludes on the output `{output.name}`"
+            scope.findings.warning("FCL355", message, output.token, hint="it always has its default value")
+
+
+def _outputs(scope: Scope) -> list[Declared]:
+    return [each for each in scope.variables.values() if each.role is Role.OUTPUT]

@@ -1,0 +1,131 @@
+"""Text → tokens (IEC 61131-3 B.1.1 and B.1.2, for 5.4)."""
+
+import re
+import unicodedata
+
+from fcl_sim.diagnostics import Source
+from fcl_sim.fcl.findings import Findings
+from fcl_sim.fcl.tokens import Comment, Kind, Scan, Token
+
+_PATTERN = re.compile(
+    r"""
+    [\s\ufeff]*+
+    (?: ([^\W\d]\w*+)(?!\#)
+      | ((?:[0-9][0-9_]*+(?:\.(?!\.)[0-9_]*+)?|\.[0-9][0-9_]*+)(?:[eE][+\-]?[0-9][0-9_]*+)?)(?![\w\#]|\.\w)
+      | (:=|\.\.|[:;,).=+\-^|]|\((?!\*)|/(?![/*])|\*(?!\)))
+      | (\(\*.*?(?:\*\)|\Z)|/\*.*?(?:\*/|\Z)|//[^\n]*+)
+      | (\w++\#(?:[+\-](?=\w))?(?:[\w\#]|\.(?=[\w])|(?<=[eE])[+\-](?=[0-9]))*+)
+      | ([0-9]\w*+(?:\.\w++)*+)
+      | (\*\))
+      | ([^\s\w\ufeff:;,().=+\-*/^|]++|.)
+      | \Z
+    )
+    """,
+    re.VERBOSE | re.DOTALL,
+)
+"""One match is one token with the space before it. No part of it can be matched in two ways,
+so scanning takes time in proportion to the text, whatever the text."""
+
+_NAME, _NUMBER, _SYMBOL, _COMMENT, _LITERAL, _MIXED, _COMMENT_END, _STRAY = range(1, 9)
+_KINDS = {
+    _NAME: Kind.NAME,
+    _NUMBER: Kind.NUMBER,
+    _SYMBOL: Kind.SYMBOL,
+    _LITERAL: Kind.LITERAL,
+    _MIXED: Kind.MIXED,
+    _COMMENT_END: Kind.STRAY,
+    _STRAY: Kind.STRAY,
+}
+
+_INSTEAD = {
+    "−": "write the minus sign as `-`",
+    "–": "write the minus sign as `-`",
+    "—": "write the minus sign as `-`",
+    "&": "write AND",
+    "&&": "write AND",
+    "!": "write NOT",
+    "~": "write NOT",
+    "≔": "write `:=`",
+    "[": "write `(`",
+    "]": "write `)`",
+    "{": "write `(`; comments stand between `(*` and `*)`",
+    "}": "write `)`; comments stand between `(*` and `*)`",
+    "<": "FCL compares by terms: `variable IS term`",
+    ">": "FCL compares by terms: `variable IS term`",
+}
+
+
+def scan(source: Source) -> Scan:
+    """Return the tokens of a text, its comments, and what is wrong with its characters.
+
+    Words are not judged: a keyword is a name until the parser needs it (S1a).
+    """
+    findings = Findings(source)
+    tokens: list[Token] = []
+    comments: list[Comment] = []
+    for match in _PATTERN.finditer(source.text):
+        group = match.lastindex
+        if group is None:
+            break
+        text = match[group]
+        start = match.start(group)
+        if group == _COMMENT:
+            comments.append(Comment(text, start))
+            if not _closed(text):
+                tokens.append(_unclosed(findings, text, start))
+            continue
+        token = Token(_KINDS[group], text, text.upper() if group == _NAME else text, start)
+        tokens.append(token)
+        if group >= _COMMENT_END:
+            _report_stray(findings, token)
+    tokens.append(Token(Kind.END, "", "", len(source.text)))
+    if not source.text.isascii():
+        _report_letters(findings, tokens)
+    return Scan(
+        source=source, tokens=tuple(tokens), comments=tuple(comments), diagnostics=findings.diagnostics()
+    )
+
+
+def _closed(comment: str) -> bool:
+    if comment.startswith("//"):
+        return True
+    closing = "*)" if comment[0] == "(" else "*/"
+    return len(comment) >= len("(**)") and comment.endswith(closing)
+
+
+def _unclosed(findings: Findings, text: str, start: int) -> Token:
+    opening = text[:2]
+    closing = "*)" if opening == "(*" else "*/"
+    token = Token(Kind.STRAY, opening, opening, start)
+    findings.error(
+        "FCL110",
+        "this comment is not closed: everything from here to the end of the text is comment",
+        token,
+        hint=f"close it with `{closing}`",
+    )
+    return token
+
+
+def _report_stray(findings: Findings, token: Token) -> None:
+    if token.text == "*)":
+        hint = "comments cannot be nested (S13)"
+        findings.error("FCL111", "a comment ends here that does not begin anywhere", token, hint)
+        return
+    hint = _INSTEAD.get(token.text, "")
+    findings.error("FCL112", f"{_characters(token)} has no meaning in FCL", token, hint)
+
+
+def _characters(token: Token) -> str:
+    if token.text.isprintable():
+        return token.shown
+    hidden = next(each for each in token.text if not each.isprintable())
+    name = {"\0": "NUL"}.get(hidden) or unicodedata.name(hidden, "a control character")
+    return f"the character U+{ord(hidden):04X} ({name})"
+
+
+def _report_letters(findings: Findings, tokens: list[Token]) -> None:
+    seen: set[str] = set()
+    for token in tokens:
+        if token.kind is Kind.NAME and not token.text.isascii() and token.key not in seen:
+            seen.add(token.key)
+            findings.warning("FCL115", "letters other than A to Z in names are not portable", token)

@@ -1,0 +1,118 @@
+"""What every section has in common: statements up to its END, whatever is wrong in between."""
+
+from collections.abc import Callable, Collection, Mapping
+
+from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
+from fcl_sim.fcl.keywords import SECTIONS
+from fcl_sim.fcl.tokens import Kind, Token
+
+Reader = Callable[[Cursor], None]
+
+_OUTER = SECTIONS | {"FUNCTION_BLOCK", "END_FUNCTION_BLOCK"}
+_HOMES = {
+    "TERM": "FUZZIFY or DEFUZZIFY",
+    "METHOD": "DEFUZZIFY",
+    "DEFAULT": "DEFUZZIFY",
+    "RANGE": "DEFUZZIFY",
+    "AND": "RULEBLOCK",
+    "OR": "RULEBLOCK",
+    "ACT": "RULEBLOCK",
+    "ACCU": "RULEBLOCK",
+    "RULE": "RULEBLOCK",
+    "IF": "RULEBLOCK",
+}
+
+
+def statements(
+    cursor: Cursor,
+    opening: Token,
+    end: str,
+    readers: Mapping[str, Reader],
+    outer: frozenset[str] = _OUTER,
+) -> bool:
+    """Read statements, each by its first keyword, up to and with the keyword `end`.
+
+    Where a keyword of `outer` comes instead, the section was not closed.
+    Return whether something was passed over, so that what is absent may have
+    been meant.
+    """
+    damaged = False
+    while not closes(cursor, opening, end, readers, outer):
+        if cursor.take(";"):
+            continue
+        before = cursor.token
+        try:
+            reader = readers.get(_keyword(cursor)) or _guess(cursor, opening, end, readers)
+            reader(cursor)
+        except Astray:
+            damaged = True
+            cursor.skip_statement()
+            cursor.leave(before)
+    return damaged or cursor.token.kind is Kind.END
+
+
+def closes(
+    cursor: Cursor,
+    opening: Token,
+    end: str,
+    readers: Collection[str] = (),
+    outer: frozenset[str] = _OUTER,
+) -> bool:
+    """Return whether the section that `opening` began is over; take its END.
+
+    Another END, or a misspelt one, is reported and taken for it. Where the
+    section was not closed, that is reported and left to the caller.
+    """
+    token = cursor.token
+    if token.key == end:
+        cursor.advance()
+        return True
+    if token.kind is Kind.END or token.key in outer:
+        report_unclosed(cursor, opening, end)
+        return True
+    if token.key.startswith("END") and token.key not in readers:
+        cursor.findings.error(
+            "FCL203", f"{opening.key} is closed by {end}, not by {token.shown}", token, hint=f"write {end}"
+        )
+        cursor.advance()
+        return True
+    return False
+
+
+def report_unclosed(cursor: Cursor, opening: Token, end: str) -> None:
+    """Say that `end` is missing before the next token; the end of the text is said once."""
+    token = cursor.token
+    if token.kind is Kind.END:
+        if cursor.ended or cursor.last.kind is Kind.STRAY:
+            return
+        cursor.ended = True
+    cursor.findings.error(
+        "FCL202",
+        f"{opening.key} is not closed",
+        opening,
+        hint=f"write {end}",
+        related=(cursor.findings.place(token, f"{end} is expected before this"),) if token.text else (),
+    )
+
+
+def _keyword(cursor: Cursor) -> str:
+    if is_joined_rule(cursor.token, cursor.ahead()):
+        return "RULE"
+    return cursor.token.key
+
+
+def _guess(cursor: Cursor, opening: Token, end: str, readers: Mapping[str, Reader]) -> Reader:
+    """Report a word that begins no statement here; return the reader of the one that was probably meant."""
+    token = cursor.token
+    if token.kind is Kind.STRAY:
+        raise Astray
+    message = f"{token.shown} does not begin a statement of {opening.key}"
+    if token.key in _HOMES:
+        raise cursor.refuse("FCL204", message, token, hint=f"{token.key} stands in {_HOMES[token.key]}")
+    known = [each for each in readers if not each.startswith("END")]
+    meant = cursor.findings.near(token.key, known) if token.kind is Kind.NAME else None
+    if meant is None:
+        raise cursor.refuse("FCL204", message, token, hint=f"valid here: {listed([*known, end])}")
+    cursor.findings.error("FCL204", message, token, hint=f"did you mean {meant}?")
+    return readers[meant]
