@@ -1,18 +1,18 @@
 """Execute the blocks of a tape once, in wiring order."""
 
-from fcl_sim.jit import kernel
+from fcl_sim.jit import inlined, u
 from fcl_sim.loop.blocks.differentiator import differentiate
 from fcl_sim.loop.blocks.fuzzy import evaluate
 from fcl_sim.loop.blocks.linear import gain, weighted_sum
 from fcl_sim.loop.layout import OPCODE, ROW_LENGTH, ROWS, ROWS_AT
 
 
-@kernel
+@inlined
 def execute(ints, floats, memory, cycle):
     """Execute every block row, `cycle` being the cycle time in seconds."""
-    at = ints[ROWS_AT]
-    for _ in range(ints[ROWS]):
-        opcode = ints[at + OPCODE]
+    at = ints[u(ROWS_AT)]
+    for _ in range(ints[u(ROWS)]):
+        opcode = ints[u(at + OPCODE)]
         if opcode == 0:
             weighted_sum(ints, floats, memory, at)
         elif opcode == 1:
@@ -21,4 +21,4 @@ def execute(ints, floats, memory, cycle):
             differentiate(ints, floats, memory, at, cycle)
         elif opcode == 3:
             evaluate(ints, floats, memory, at)
-        at += ints[at + ROW_LENGTH]
+        at += ints[u(at + ROW_LENGTH)]

@@ -4,9 +4,9 @@ from math import isfinite
 
 import numpy as np
 
-from fcl_sim.jit import FF, F, I, entry, i8, kernel, signature
+from fcl_sim.jit import FF, F, I, entry, i8, inlined, kernel, signature, u
 from fcl_sim.loop.execute import execute
-from fcl_sim.loop.integrate import ARMED, INDEX, MODE, STATUS, advance
+from fcl_sim.loop.integrate import INDEX, MODE, PROGRESS, STATUS, advance
 from fcl_sim.loop.layout import (
     CYCLE,
     EVENTS,
@@ -35,38 +35,38 @@ from fcl_sim.plant.declaration import START
 from fcl_sim.plant.functions import FUNCTION_TYPES
 
 
-@kernel
+@inlined
 def write_outputs(ints, floats, memory):
     """Give the plant its inputs, to be held until the next write."""
-    slots, signs = ints[WRITES_AT], ints[WRITE_SIGNS_AT]
-    first = ints[PLANT_INPUTS_AT]
-    for i in range(ints[PLANT_INPUTS]):
-        memory[first + i] = floats[signs + i] * memory[ints[slots + i]]
+    slots, signs = ints[u(WRITES_AT)], ints[u(WRITE_SIGNS_AT)]
+    first = ints[u(PLANT_INPUTS_AT)]
+    for i in range(ints[u(PLANT_INPUTS)]):
+        memory[u(first + i)] = floats[u(signs + i)] * memory[ints[u(slots + i)]]
 
 
-@kernel
+@inlined
 def first_unsound(ints, memory):
     """Return the slot of the first signal that is NaN or infinite, -1 where all are sound."""
     total = 0.0
-    for i in range(ints[SIGNALS]):
-        total += memory[i] * 0.0
+    for i in range(ints[u(SIGNALS)]):
+        total += memory[u(i)] * 0.0
     if total == 0.0:
         return -1
-    for i in range(ints[SIGNALS]):
-        if not isfinite(memory[i]):
+    for i in range(ints[u(SIGNALS)]):
+        if not isfinite(memory[u(i)]):
             return i
     return -1
 
 
-@kernel
+@inlined
 def record_sample(ints, memory, row):
     """Copy the recorded stretches of memory, one after the other."""
-    at = ints[SEGMENTS_AT]
+    at = ints[u(SEGMENTS_AT)]
     column = 0
-    for _ in range(ints[SEGMENTS]):
-        first = ints[at]
-        for i in range(ints[at + 1]):
-            row[column] = memory[first + i]
+    for _ in range(ints[u(SEGMENTS)]):
+        first = ints[u(at)]
+        for i in range(ints[u(at + 1)]):
+            row[u(column)] = memory[u(first + i)]
             column += 1
         at += 2
 
@@ -81,52 +81,53 @@ def simulate(
     holds the nanosecond at which each scan reads its inputs, the end included;
     `record` (scans + 1, columns) and `report` are filled.
     """
-    y = memory[0 : ints[PLANT_OUTPUTS]]
-    u = memory[ints[PLANT_INPUTS_AT] : ints[PLANT_INPUTS_AT] + ints[PLANT_INPUTS]]
-    k = np.zeros((ints[STAGES] + 1, ints[STATES]))
-    trial = np.zeros(ints[STATES])
-    g0 = np.zeros(ints[EVENTS])
-    g1 = np.zeros(ints[EVENTS])
+    y = memory[0 : ints[u(PLANT_OUTPUTS)]]
+    held = memory[ints[u(PLANT_INPUTS_AT)] : ints[u(PLANT_INPUTS_AT)] + ints[u(PLANT_INPUTS)]]
+    k = np.zeros((ints[u(STAGES)] + 1) * ints[u(STATES)])
+    dx = np.zeros(ints[u(STATES)])
+    base = np.zeros(ints[u(STATES)])
+    trial = np.zeros(ints[u(STATES)])
+    g0 = np.zeros(ints[u(EVENTS)])
+    g1 = np.zeros(ints[u(EVENTS)])
     guess = np.zeros(1)
-    progress = np.zeros(ARMED + ints[EVENTS], dtype=np.int64)
-    nominal = floats[ints[STEP_AT] + CYCLE]
-    latency = ints[LATENCY]
-    guess[0] = nominal
-    progress[MODE] = transition(START, starts[0] / 1e9, x, u, p, START)
-    report[REPORT_STATUS] = FINISHED
-    for scan in range(ints[SCANS] + 1):
-        t = starts[scan] / 1e9
-        if ints[SAMPLED] == 1:
+    progress = np.zeros(PROGRESS, dtype=np.int64)
+    nominal = floats[ints[u(STEP_AT)] + CYCLE]
+    latency = ints[u(LATENCY)]
+    guess[u(0)] = nominal
+    progress[u(MODE)] = transition(START, starts[u(0)] / 1e9, x, held, p, START)
+    report[u(REPORT_STATUS)] = FINISHED
+    for scan in range(ints[u(SCANS)] + 1):
+        t = starts[u(scan)] / 1e9
+        if ints[u(SAMPLED)] == 1:
             sample(t, x, p)
-        outputs(t, x, u, p, progress[MODE], y)
+        outputs(t, x, held, p, progress[u(MODE)], y)
         cycle = nominal
-        if ints[MEASURED] == 1 and scan > 0:
-            cycle = (starts[scan] - starts[scan - 1]) / 1e9
+        if ints[u(MEASURED)] == 1 and scan > 0:
+            cycle = (starts[u(scan)] - starts[u(scan - 1)]) / 1e9
         execute(ints, floats, memory, cycle)
         if latency == 0:
             write_outputs(ints, floats, memory)
         unsound = first_unsound(ints, memory)
         if unsound >= 0:
-            report[REPORT_STATUS], report[REPORT_INDEX] = NOT_FINITE, unsound
+            report[u(REPORT_STATUS)], report[u(REPORT_INDEX)] = NOT_FINITE, unsound
             break
         record_sample(ints, memory, record[scan])
-        report[REPORT_SAMPLES] = scan + 1
-        if scan == ints[SCANS]:
+        report[u(REPORT_SAMPLES)] = scan + 1
+        if scan == ints[u(SCANS)]:
             break
         sound = True
-        if latency > 0:
-            sound = advance(
-                dynamics, events, transition, t, latency / 1e9, x, u, p,
-                ints, floats, guess, progress, k, trial, g0, g1,
-            )  # fmt: skip
-            write_outputs(ints, floats, memory)
-            t = (starts[scan] + latency) / 1e9
-        if sound and starts[scan] + latency < starts[scan + 1]:
-            sound = advance(
-                dynamics, events, transition, t, (starts[scan + 1] - starts[scan] - latency) / 1e9, x, u, p,
-                ints, floats, guess, progress, k, trial, g0, g1,
-            )  # fmt: skip
+        begin = starts[u(scan)]
+        for piece in range(2):
+            end = starts[u(scan)] + latency if piece == 0 else starts[u(scan + 1)]
+            if sound and end > begin:
+                sound = advance(
+                    dynamics, events, transition, begin / 1e9, (end - begin) / 1e9, x, held, p,
+                    ints, floats, guess, progress, k, dx, base, trial, g0, g1,
+                )  # fmt: skip
+                begin = end
+            if piece == 0:
+                write_outputs(ints, floats, memory)
         if not sound:
-            report[REPORT_STATUS], report[REPORT_INDEX] = progress[STATUS], progress[INDEX]
+            report[u(REPORT_STATUS)], report[u(REPORT_INDEX)] = progress[u(STATUS)], progress[u(INDEX)]
             break
-    return report[REPORT_STATUS]
+    return report[u(REPORT_STATUS)]

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from fcl_sim.jit import kernel
+from fcl_sim.jit import inlined, u
 from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
 from fcl_sim.loop.layout import FIRST_INPUT, OUTPUT, PARAMETERS, STATE
 from fcl_sim.units import Quantity, Unit, parse_unit
@@ -26,17 +26,17 @@ DIFFERENTIATOR = BlockType(
 PREVIOUS, BEGUN = 0, 1
 
 
-@kernel
+@inlined
 def differentiate(ints, floats, memory, at, cycle):
     """Kernel of `differentiator`, `cycle` T in seconds; parameters: the input's sign, Tf."""
-    parameters = ints[at + PARAMETERS]
-    state = ints[at + STATE]
-    now = floats[parameters] * memory[ints[at + FIRST_INPUT]]
-    if memory[state + BEGUN] == 0.0:
-        memory[state + BEGUN] = 1.0
-        memory[ints[at + OUTPUT]] = 0.0
+    parameters = ints[u(at + PARAMETERS)]
+    state = ints[u(at + STATE)]
+    now = floats[u(parameters)] * memory[u(ints[u(at + FIRST_INPUT)])]
+    if memory[u(state + BEGUN)] == 0.0:
+        memory[u(state + BEGUN)] = 1.0
+        memory[u(ints[u(at + OUTPUT)])] = 0.0
     else:
-        before = memory[ints[at + OUTPUT]]
-        rate = (now - memory[state + PREVIOUS]) / cycle
-        memory[ints[at + OUTPUT]] = before + cycle / (floats[parameters + 1] + cycle) * (rate - before)
-    memory[state + PREVIOUS] = now
+        before = memory[u(ints[u(at + OUTPUT)])]
+        rate = (now - memory[u(state + PREVIOUS)]) / cycle
+        memory[u(ints[u(at + OUTPUT)])] = before + cycle / (floats[u(parameters + 1)] + cycle) * (rate - before)
+    memory[u(state + PREVIOUS)] = now

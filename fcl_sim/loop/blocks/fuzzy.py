@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from fcl_sim.engine.infer import infer
-from fcl_sim.jit import kernel
+from fcl_sim.jit import inlined, u
 from fcl_sim.loop.blocks.declaration import BlockType
 from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, PARAMETERS, STATE
 from fcl_sim.units import Quantity, Unit
@@ -22,12 +22,12 @@ FUZZY = BlockType(
 )
 
 
-@kernel
+@inlined
 def evaluate(ints, floats, memory, at):
     """Kernel of `fuzzy`; the word after the inputs is where its program stands in `ints`."""
-    inputs = ints[at + INPUTS]
-    signs = ints[at + PARAMETERS]
-    instance = ints[at + STATE]
+    inputs = ints[u(at + INPUTS)]
+    signs = ints[u(at + PARAMETERS)]
+    instance = ints[u(at + STATE)]
     for i in range(inputs):
-        memory[instance + i] = floats[signs + i] * memory[ints[at + FIRST_INPUT + i]]
-    infer(ints, floats, ints[at + FIRST_INPUT + inputs], memory, instance)
+        memory[u(instance + i)] = floats[u(signs + i)] * memory[u(ints[u(at + FIRST_INPUT + i)])]
+    infer(ints, floats, ints[u(at + FIRST_INPUT + inputs)], memory, instance)

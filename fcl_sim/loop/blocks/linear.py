@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from fcl_sim.jit import kernel
+from fcl_sim.jit import inlined, u
 from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
 from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, OUTPUT, PARAMETERS
 from fcl_sim.units import Quantity, Unit, UnitError
@@ -40,18 +40,18 @@ GAIN = BlockType(
 )
 
 
-@kernel
+@inlined
 def weighted_sum(ints, floats, memory, at):
     """Kernel of `sum`; the parameters are the gains, signs included."""
     total = 0.0
-    gains = ints[at + PARAMETERS]
-    for i in range(ints[at + INPUTS]):
-        total += floats[gains + i] * memory[ints[at + FIRST_INPUT + i]]
-    memory[ints[at + OUTPUT]] = total
+    gains = ints[u(at + PARAMETERS)]
+    for i in range(ints[u(at + INPUTS)]):
+        total += floats[u(gains + i)] * memory[u(ints[u(at + FIRST_INPUT + i)])]
+    memory[u(ints[u(at + OUTPUT)])] = total
 
 
-@kernel
+@inlined
 def gain(ints, floats, memory, at):
     """Kernel of `gain`; parameters: the input's sign, the gain."""
-    parameters = ints[at + PARAMETERS]
-    memory[ints[at + OUTPUT]] = floats[parameters + 1] * (floats[parameters] * memory[ints[at + FIRST_INPUT]])
+    parameters = ints[u(at + PARAMETERS)]
+    memory[u(ints[u(at + OUTPUT)])] = floats[u(parameters + 1)] * (floats[u(parameters)] * memory[u(ints[u(at + FIRST_INPUT)])])
