@@ -6,7 +6,7 @@ import numpy as np
 
 from fcl_sim.jit import FF, F, I, entry, i8, inlined, kernel, signature, u
 from fcl_sim.loop.execute import execute
-from fcl_sim.loop.integrate import INDEX, MODE, PROGRESS, STATUS, advance
+from fcl_sim.loop.integrate import ARMED, INDEX, MODE, PROGRESS, STATUS, advance
 from fcl_sim.loop.layout import (
     CYCLE,
     EVENTS,
@@ -94,6 +94,7 @@ def simulate(
     nominal = floats[ints[u(STEP_AT)] + CYCLE]
     latency = ints[u(LATENCY)]
     guess[u(0)] = nominal
+    progress[u(ARMED)] = (1 << ints[u(EVENTS)]) - 1
     progress[u(MODE)] = transition(START, starts[u(0)] / 1e9, x, held, p, START)
     report[u(REPORT_STATUS)] = FINISHED
     for scan in range(ints[u(SCANS)] + 1):
