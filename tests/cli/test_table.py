@@ -1,0 +1,84 @@
+import io
+
+import pytest
+from rich.console import Console
+
+from fcl_sim.cli.table import print_verdicts
+from fcl_sim.judge.verdict import Status
+from fcl_sim.report.summary import Row
+
+
+def row(scenario, variant, requirement, status, note=""):
+    return Row(
+        scenario=scenario,
+        variant=variant,
+        id=requirement,
+        text="It stands",
+        bound="at most 35 s",
+        value="18.4 s",
+        status=status,
+        note=note,
+    )
+
+
+ROWS = [
+    row("crane/transfer", "base", "CR-1", Status.PASS),
+    row("crane/transfer", "base", "CR-2", Status.FAIL),
+    row("crane/transfer", "raw_distance", "CR-1", Status.PASS, "not met, as expected"),
+    row("crane/printed", "base", "CR-1", Status.FAULT),
+]
+
+
+def printed(rows, width, **settings):
+    stream = io.StringIO()
+    console = Console(file=stream, width=width, highlight=False, **settings)
+    print_verdicts(rows, console)
+    return [line.rstrip() for line in stream.getvalue().splitlines()]
+
+
+def test_a_wide_terminal_shows_a_row_for_each_verdict_and_says_scenario_and_variant_once():
+    assert printed(ROWS, 110) == [
+        "scenario        variant       requirement  asked         measured  verdict",
+        "crane/transfer  base          CR-1         at most 35 s    18.4 s  PASS",
+        "                              CR-2         at most 35 s    18.4 s  FAIL",
+        "                raw_distance  CR-1         at most 35 s    18.4 s  PASS (not met, as expected)",
+        "crane/printed   base          CR-1         at most 35 s    18.4 s  FAULT",
+    ]
+
+
+def test_a_narrow_terminal_shows_the_same_in_lines():
+    assert printed(ROWS[2:], 40) == [
+        "crane/transfer",
+        "  raw_distance",
+        "    CR-1: PASS (not met, as expected)",
+        "      18.4 s, at most 35 s",
+        "crane/printed",
+        "  base",
+        "    CR-1: FAULT",
+        "      18.4 s, at most 35 s",
+    ]
+
+
+@pytest.mark.parametrize("width", [20, 40, 72, 80, 110])
+def test_nothing_is_cut_off_at_any_width(width):
+    shown = "".join(printed(ROWS, width)).replace(" ", "")
+    for word in ("raw_distance", "CR-2", "FAULT", "asexpected", "18.4"):
+        assert word in shown
+
+
+def test_colours_only_underline_the_words(monkeypatch):
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    coloured = "\n".join(printed(ROWS, 110, force_terminal=True, color_system="standard"))
+    assert "\x1b[32mPASS\x1b[0m" in coloured
+    assert "\x1b[31mFAIL\x1b[0m" in coloured
+    monkeypatch.setenv("NO_COLOR", "1")
+    plain = "\n".join(printed(ROWS, 110, force_terminal=True, color_system="standard"))
+    assert "\x1b[3" not in plain
+
+
+def test_names_that_look_like_markup_are_shown_as_they_are():
+    assert any("[red]x[/red]" in line for line in printed([row("[red]x[/red]", "a", "b", Status.PASS)], 110))
+
+
+def test_no_verdicts_are_no_table():
+    assert printed([], 110) == []
