@@ -85,4 +85,7 @@ CODES: dict[str, str] = {
     "RUN103": "the folder holds something already",
     "RUN104": "a trace has no such format",
     "RUN105": "there is no scenario",
+    "RUN201": "the report cannot be written",
+    "RUN202": "another run is writing its report into the same folder",
+    "RUN203": "SOURCE_DATE_EPOCH is no date",
 }

@@ -1,0 +1,195 @@
+"""Which pictures a fuzzy block gets: its terms, and each output over its inputs."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from fcl_sim.block import Block
+from fcl_sim.loop.trace import FuzzyRecord, Values
+from fcl_sim.report import alt, sampling
+from fcl_sim.report.memberships import Visit, membership_plot, panels
+from fcl_sim.report.pictures import Picture, numbered
+from fcl_sim.report.provenance import fuzzy_nodes
+from fcl_sim.report.sampling import Domain, Surface, Track
+from fcl_sim.report.surface import curve_plot, surface_plot
+from fcl_sim.report.words import joined, number, one_line
+from fcl_sim.testbench import Run
+
+MOST_BARS = 6
+"""Runs whose visited ranges are told apart; more are drawn as one."""
+
+PANELS = 6
+"""Variables to a figure of membership functions."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Subject:
+    """An output of a block, and what a run made of the block: `seen` its inputs (n,), by name."""
+
+    block: Block
+    output: str
+    unit: str
+    inputs: tuple[Domain, ...]
+    seen: Mapping[str, Values]
+    given: Values | None
+    name: str
+
+
+def over_inputs(run: Run) -> list[Picture]:
+    """Return each output of each fuzzy block over its inputs, with the run drawn over it."""
+    return [
+        replace(each, caption=f"Run {one_line(run.variant)}: {each.caption}")
+        for node in fuzzy_nodes(run)
+        for each in characteristic(
+            node.block, node.units, f"{run.variant}-{node.name}", run.trace.fuzzy.get(node.name)
+        )
+    ]
+
+
+def characteristic(
+    block: Block, units: Mapping[str, str], stem: str, record: FuzzyRecord | None = None
+) -> list[Picture]:
+    """Return a picture of each output over its inputs, with the run of `record` drawn over it.
+
+    Two inputs make a map, one a curve. Of more, the two that moved most are
+    drawn and the others held at their medians, or in the middle without a run.
+    """
+    inputs = sampling.domains(block.function_block, units)
+    seen, given = _columns(record, inputs)
+    unit_of = {name.casefold(): unit for name, unit in units.items()}
+    outputs = block.function_block.outputs
+    pictures = []
+    for output in outputs:
+        subject = Subject(
+            block=block,
+            output=output.name,
+            unit=unit_of.get(output.name.casefold(), ""),
+            inputs=inputs,
+            seen=seen,
+            given=given.get(output.name.casefold()),
+            name=stem if len(outputs) == 1 else f"{stem}-{output.name}",
+        )
+        pictures.append(_curve(subject) if len(inputs) == 1 else _map(subject))
+    return pictures
+
+
+def _columns(
+    record: FuzzyRecord | None, inputs: Sequence[Domain]
+) -> tuple[dict[str, Values], dict[str, Values]]:
+    """Return what a run saw, by input, and what it gave, by output with letter case folded."""
+    if record is None:
+        return {}, {}
+    seen = {name.casefold(): record.inputs[:, column] for column, name in enumerate(record.input_names)}
+    given = {name.casefold(): record.outputs[:, column] for column, name in enumerate(record.output_names)}
+    return {each.name: seen[each.name.casefold()] for each in inputs}, given
+
+
+def _curve(subject: Subject) -> Picture:
+    across, track = subject.inputs[0], None
+    if subject.given is not None:
+        across = sampling.following(across, subject.seen[across.name])
+        track = Track(subject.seen[across.name], subject.given)
+    line = sampling.curve(subject.block, subject.output, across, {}, subject.unit)
+    caption = [f"{one_line(subject.output)} over {one_line(across.name)}."]
+    if line.undefined.any():
+        caption.append("Hatched: no rule is active.")
+    return Picture(
+        name=subject.name,
+        caption=" ".join(caption),
+        alt=alt.of_curve(line, track),
+        draw=partial(curve_plot, line, track),
+    )
+
+
+def _map(subject: Subject) -> Picture:
+    plane, fixed = _plane(subject)
+    track, near = None, None
+    if subject.seen:
+        paths = [subject.seen[each.name] for each in plane]
+        track = Track(*paths)
+        plane = [sampling.following(each, path) for each, path in zip(plane, paths, strict=True)]
+        near = sampling.closer(plane, paths)
+    views = [(plane, "all terms"), *([(near, "where the run went")] if near else [])]
+    maps = [
+        sampling.surface(subject.block, subject.output, (across, up), fixed, subject.unit, title)
+        for (across, up), title in views
+    ]
+    return Picture(
+        name=subject.name,
+        caption=_caption(maps[0], fixed, drawn=track is not None),
+        alt=alt.of_surfaces(maps, fixed, track),
+        draw=partial(surface_plot, maps, track),
+    )
+
+
+def _plane(subject: Subject) -> tuple[list[Domain], dict[str, float]]:
+    """Return the two inputs that are drawn and the values of the others."""
+    chosen = sorted(subject.inputs, key=lambda each: -_moved(each, subject.seen))[:2]
+    others = [each for each in subject.inputs if each not in chosen]
+    fixed = {each.name: _middle(each, subject.seen) for each in others}
+    return [each for each in subject.inputs if each in chosen], fixed
+
+
+def _moved(domain: Domain, seen: Mapping[str, Values]) -> float:
+    finite = _finite(seen, domain.name)
+    return float(np.ptp(finite)) / (domain.high - domain.low) if len(finite) else 0.0
+
+
+def _middle(domain: Domain, seen: Mapping[str, Values]) -> float:
+    finite = _finite(seen, domain.name)
+    return float(np.median(finite)) if len(finite) else (domain.low + domain.high) / 2.0
+
+
+def _finite(seen: Mapping[str, Values], name: str) -> Values:
+    values = seen.get(name, np.zeros(0))
+    return values[np.isfinite(values)]
+
+
+def _caption(surface: Surface, fixed: Mapping[str, float], *, drawn: bool) -> str:
+    across, up = one_line(surface.across.name), one_line(surface.up.name)
+    text = f"{one_line(surface.name)} over {across} and {up}"
+    if fixed:
+        held = joined([f"{one_line(name)} = {number(at)}" for name, at in fixed.items()])
+        text += f"; {held} held" + (" at the run's median" if drawn else "")
+    return text + (". Hatched: no rule is active." if surface.undefined.any() else ".")
+
+
+def memberships(
+    block: Block, units: Mapping[str, str], stem: str, visited: Mapping[str, FuzzyRecord] | None = None
+) -> list[Picture]:
+    """Return the terms of every variable, with the ranges that the runs `visited`, by label, reached."""
+    records = visited or {}
+    every = panels(block.function_block, units, _visits(records))
+    caption = f"Terms of {one_line(block.function_block.name)}; singletons are stems."
+    if records:
+        caption += " A bar below an axis is the range that a run visited."
+    pages = [every[start : start + PANELS] for start in range(0, len(every), PANELS)]
+    return [
+        Picture(
+            name=numbered(stem, index, len(pages)),
+            caption=caption,
+            alt=alt.of_memberships(page),
+            draw=partial(membership_plot, page),
+        )
+        for index, page in enumerate(pages)
+    ]
+
+
+def _visits(records: Mapping[str, FuzzyRecord]) -> dict[str, list[Visit]]:
+    visits: dict[str, list[Visit]] = {}
+    for label, record in records.items():
+        names = (*record.input_names, *record.output_names)
+        for name, values in zip(names, np.hstack([record.inputs, record.outputs]).T, strict=True):
+            finite = values[np.isfinite(values)]
+            if len(finite):
+                visits.setdefault(name, []).append(Visit(label, float(finite.min()), float(finite.max())))
+    return {name: _merged(each) for name, each in visits.items()}
+
+
+def _merged(visits: list[Visit]) -> list[Visit]:
+    if len(visits) <= MOST_BARS:
+        return visits
+    low, high = min(each.low for each in visits), max(each.high for each in visits)
+    return [Visit(f"all {len(visits)} runs", low, high)]

@@ -1,0 +1,275 @@
+"""What the PDF says, as the data that its template lays out: words and order, no layout."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from fcl_sim import __version__
+from fcl_sim.judge.verdict import Requirement, Status, Verdict
+from fcl_sim.loop.diagram import FuzzyNode
+from fcl_sim.loop.trace import FuzzyRecord
+from fcl_sim.model import Defuzzification, RuleBlock
+from fcl_sim.report import characteristics, pictures, summary
+from fcl_sim.report.pictures import Picture
+from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of, rule_base
+from fcl_sim.report.results import ARITHMETIC, versions
+from fcl_sim.report.words import (
+    bound,
+    counted,
+    exactly,
+    joined,
+    number,
+    one_line,
+    plain,
+    value,
+    with_unit,
+)
+from fcl_sim.testbench import Outcome, Run
+
+Data = dict[str, Any]
+Register = Callable[[str, Picture], str]
+"""Takes the folder and a picture, returns the SVG file's name that will hold it."""
+
+KIND = "Closed-loop test report"
+
+MOST_SUBJECTS = 3
+"""Plants that a title names; of more it gives the number of scenarios."""
+
+
+def report_data(outcomes: Sequence[Outcome], register: Register) -> Data:
+    """Return the report's data; every picture in it goes through `register`."""
+    status = summary.overall(outcomes)
+    bases = rule_bases(outcomes)
+    return {
+        "title": one_line(_title(outcomes)),
+        "kind": KIND,
+        "version": __version__,
+        "description": f"{status}: {summary.sentence(outcomes)}",
+        "keywords": ["fuzzy control", "FCL", "IEC 61131-7"],
+        "status": str(status),
+        "sentence": summary.sentence(outcomes),
+        "footer": f"fcl_sim {__version__}",
+        "overview": [_overview(outcome, f"s{index}") for index, outcome in enumerate(outcomes)],
+        "provenance": _provenance(outcomes),
+        "scenarios": [_scenario(outcome, f"s{index}", register) for index, outcome in enumerate(outcomes)],
+        "rule_bases": [_rule_base(base, f"r{index}", register) for index, base in enumerate(bases)],
+    }
+
+
+def _title(outcomes: Sequence[Outcome]) -> str:
+    """Return the scenario's title, or what the scenarios are about."""
+    if len(outcomes) == 1:
+        return outcomes[0].scenario.title
+    plants = [
+        run.diagram.plant.model.declaration.title for each in outcomes for run in each.variants.values()
+    ]
+    subjects = list(dict.fromkeys(plants))
+    about = joined(subjects) if 0 < len(subjects) <= MOST_SUBJECTS else counted(len(outcomes), "scenario")
+    return f"{about}: closed-loop tests"
+
+
+def _overview(outcome: Outcome, anchor: str) -> Data:
+    runs = [
+        {"label": one_line(run.variant), "counts": summary.run_tally(run), "status": str(run.verdict)}
+        for run in outcome.variants.values()
+    ]
+    return {"title": one_line(outcome.scenario.title), "anchor": anchor, "runs": runs}
+
+
+def _fact(label: str, *values: str, mono: bool = False) -> Data:
+    return {"label": label, "values": [one_line(each) for each in values], "mono": mono}
+
+
+def _provenance(outcomes: Sequence[Outcome]) -> list[Data]:
+    files = {(each.role, each.name, each.digest): each for outcome in outcomes for each in inputs_of(outcome)}
+    roles = list(dict.fromkeys(each.role for each in files.values()))
+    rows = []
+    for role in roles:
+        mine = [each for each in files.values() if each.role == role]
+        lines = [line for each in mine for line in (each.name, f"  {each.digest}")]
+        rows.append(_fact(f"{role.capitalize()}{'s' if len(mine) > 1 else ''}, SHA-256", *lines, mono=True))
+    scans = {run.diagram.timing.scan for outcome in outcomes for run in outcome.variants.values()}
+    rows.append(_fact("Scan", joined([_milliseconds(scan) for scan in sorted(scans)])))
+    rows.append(_fact("Arithmetic", f"{ARITHMETIC}, IEC 60559 binary64"))
+    rows.append(_fact("Versions", ", ".join(f"{name} {each}" for name, each in versions().items())))
+    return rows
+
+
+def _milliseconds(ticks: int) -> str:
+    return with_unit(ticks / 1e6, "ms", 9)
+
+
+def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
+    scenario, runs = outcome.scenario, list(outcome.variants.values())
+    return {
+        "title": one_line(scenario.title),
+        "anchor": anchor,
+        "status": str(outcome.verdict),
+        "sentence": f"{counted(len(runs), 'run')}: "
+        + summary.tally([verdict for run in runs for verdict in run.verdicts])
+        + ".",
+        "story": paragraphs(scenario.description),
+        "facts": _facts(outcome),
+        "requirements": requirement_rows(runs),
+        "sections": _sections(outcome, register),
+    }
+
+
+def _sections(outcome: Outcome, register: Register) -> list[Data]:
+    runs = list(outcome.variants.values())
+    parts = [("All runs", "", pictures.all_runs(outcome))]
+    parts += [(_run_title(run), _run_text(run), pictures.over_time(run)) for run in runs]
+    maps = [each for run in runs for each in characteristics.over_inputs(run)]
+    parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
+    return [
+        {
+            "title": one_line(title),
+            "text": text,
+            "pictures": [_picture(each, outcome.scenario.name, register) for each in shown],
+        }
+        for title, text, shown in parts
+        if shown
+    ]
+
+
+CHARACTERISTIC = (
+    "What a rule base gives for every pair of inputs, and the way of each run over it, "
+    "from the circle to the square. Where it is hatched, no rule is active."
+)
+
+
+def paragraphs(text: str) -> list[str]:
+    """Return the paragraphs of a text, parted by empty lines, each on one line."""
+    return [one_line(each) for each in plain(text).split("\n\n") if each.strip()]
+
+
+def _picture(picture: Picture, folder: str, register: Register) -> Data:
+    return {"file": register(folder, picture), "caption": picture.caption, "alt": picture.alt}
+
+
+def _run_title(run: Run) -> str:
+    return f"Run {run.variant}" + (f": {run.title}" if run.title and run.title != run.variant else "")
+
+
+def _run_text(run: Run) -> str:
+    fault = run.trace.fault
+    if fault is None:
+        return ""
+    at = with_unit(fault.tick / 1e9, "s", 9)
+    return f"FAULT: the run ended at {at}, at {one_line(fault.signal)}: {one_line(fault.reason)}."
+
+
+def _facts(outcome: Outcome) -> list[Data]:
+    diagram = outcome.base.diagram
+    plant, timing, integration = diagram.plant, diagram.timing, diagram.integration
+    declared = plant.model.declaration
+    rows = [_fact("Plant", f"{declared.title} ({declared.name})" if declared.title else declared.name)]
+    units = {each.name: each.unit for each in declared.parameters} | {
+        each.name: each.unit for each in declared.states
+    }
+    for label, values in (("Parameters", plant.parameters), ("Start", plant.start)):
+        given = [f"{name} = {exactly(each, units.get(name, ''))}" for name, each in values.items()]
+        if given:
+            rows.append(_fact(label, ", ".join(given)))
+    times = f"{with_unit(timing.duration / 1e9, 's', 9)}, scan {_milliseconds(timing.scan)}"
+    if timing.latency:
+        times += f", latency {_milliseconds(timing.latency)}"
+    if timing.jitter:
+        times += f", jitter up to {_milliseconds(timing.jitter)}, seed {timing.seed}"
+    rows.append(_fact("Duration", times))
+    if outcome.scenario.overrides:
+        rows.append(
+            _fact("Overrides", *(f"{key} = {each}" for key, each in outcome.scenario.overrides.items()))
+        )
+    rows.append(_fact("Integration", f"{integration.scheme}, relative tolerance {number(integration.rtol)}"))
+    return rows
+
+
+def requirement_rows(runs: Sequence[Run]) -> list[Data]:
+    """Return each requirement once, with the results of all runs that were held to it as it stands."""
+    grouped: dict[tuple[str, str, str, str], list[tuple[Run, Verdict]]] = {}
+    for run in runs:
+        for verdict in run.verdicts:
+            asked = verdict.requirement
+            key = (asked.id, asked.text, bound(asked), verdict.definition)
+            grouped.setdefault(key, []).append((run, verdict))
+    return [
+        {
+            "id": one_line(key[0]),
+            "text": one_line(key[1]),
+            "signal": one_line(results[0][1].requirement.signal),
+            "metric": _metric_name(results[0][1].requirement),
+            "bound": key[2],
+            "definition": one_line(key[3]),
+            "results": [_result(run, verdict) for run, verdict in results],
+        }
+        for key, results in grouped.items()
+    ]
+
+
+def _metric_name(requirement: Requirement) -> str:
+    return one_line(requirement.metric.replace("_", " "))
+
+
+def _result(run: Run, verdict: Verdict) -> Data:
+    plainly_met = verdict.status is Status.PASS and not verdict.requirement.expect_fail
+    return {
+        "run": one_line(run.variant),
+        "value": value(verdict),
+        "status": str(verdict.status),
+        "expected": summary.expected_miss(verdict),
+        "note": "" if plainly_met else one_line(verdict.reason),
+    }
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Base:
+    """A rule base: its file, a block that holds it, the runs that use it by label."""
+
+    file: InputFile
+    node: FuzzyNode
+    records: Mapping[str, FuzzyRecord]
+
+
+def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
+    """Return each rule base once, in the order of its first use."""
+    found: dict[tuple[str, str], tuple[InputFile, FuzzyNode, dict[str, FuzzyRecord]]] = {}
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            label = f"{outcome.scenario.name} {run.variant}" if len(outcomes) > 1 else run.variant
+            for node in fuzzy_nodes(run):
+                file = rule_base(outcome, run, node)
+                key = (node.block.function_block.name, file.digest)
+                _, _, records = found.setdefault(key, (file, node, {}))
+                records[label] = run.trace.fuzzy[node.name]
+    return [Base(file=file, node=node, records=records) for file, node, records in found.values()]
+
+
+def _rule_base(base: Base, anchor: str, register: Register) -> Data:
+    block = base.node.block.function_block
+    shown = characteristics.memberships(base.node.block, base.node.units, f"{block.name}-terms", base.records)
+    rules = sum(len(each.rules) for each in block.rule_blocks)
+    operators = [_operators(each) for each in block.rule_blocks]
+    outputs = [f"{each.variable}: {each.method}, {_undefined(each)}" for each in block.defuzzifications]
+    return {
+        "title": f"Rule base {one_line(block.name)}",
+        "anchor": anchor,
+        "facts": [
+            _fact("File", base.file.name, mono=True),
+            _fact("SHA-256", base.file.digest, mono=True),
+            _fact("Rules", ", ".join([str(rules), *dict.fromkeys(operators)])),
+            _fact("Outputs", *outputs),
+            _fact("Used by", joined(list(base.records))),
+        ],
+        "pictures": [_picture(each, "rule-bases", register) for each in shown],
+        "source": plain(base.file.text).rstrip(),
+    }
+
+
+def _operators(block: RuleBlock) -> str:
+    return f"AND {block.and_operator}, OR {block.or_operator}, ACCU {block.accumulation}"
+
+
+def _undefined(output: Defuzzification) -> str:
+    """Return what an output does where no rule is active (S30)."""
+    return "NC, no change" if output.default is None else f"DEFAULT {exactly(output.default, '')}"

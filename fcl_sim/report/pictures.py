@@ -1,0 +1,97 @@
+"""Which pictures of signals over time an outcome gets, each with its caption and alternative text."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from matplotlib.figure import Figure
+
+from fcl_sim.report import alt
+from fcl_sim.report.time_plots import GAP, HEADING, Lane, Shown, lanes, time_plot
+from fcl_sim.report.words import one_line, with_unit
+from fcl_sim.testbench import Outcome, Run
+
+TALLEST = 205.0
+"""Height in mm that headings and a caption leave for a figure on a page."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Picture:
+    """A figure yet to be drawn: the stem of its file, its caption, its text for who cannot see it."""
+
+    name: str
+    caption: str
+    alt: str
+    draw: Callable[[], Figure]
+
+
+def all_runs(outcome: Outcome) -> list[Picture]:
+    """Return the judged signals with all runs overlaid; nothing where there is one run, or nothing judged."""
+    runs = [_shown(run) for run in outcome.variants.values()]
+    wanted = [lane for lane in lanes(runs[0]) if lane.judged] if len(runs) > 1 else []
+    pages = list(_pages(wanted))
+    return [
+        Picture(
+            name=numbered("all-runs", index, len(pages)),
+            caption="Judged signals, all runs overlaid. Bands are what the requirements allow, dashed lines "
+            "their bounds; a bar at the upper edge marks where the run of its colour violates one.",
+            alt=alt.of_runs(runs, page),
+            draw=partial(time_plot, runs, page),
+        )
+        for index, page in enumerate(pages)
+    ]
+
+
+def over_time(run: Run) -> list[Picture]:
+    """Return every signal of a run over time, as many figures as pages are needed."""
+    view = _shown(run)
+    pages = list(_pages(lanes(view)))
+    return [
+        Picture(
+            name=numbered(f"{run.variant}-time", index, len(pages)),
+            caption=_caption(run, page, index),
+            alt=alt.of_runs([view], page),
+            draw=partial(time_plot, [view], page),
+        )
+        for index, page in enumerate(pages)
+    ]
+
+
+def numbered(stem: str, index: int, count: int) -> str:
+    """Return the stem of a picture, numbered where there are several."""
+    return stem if count == 1 else f"{stem}-{index + 1}"
+
+
+def _shown(run: Run) -> Shown:
+    duration = run.diagram.timing.duration / 1e9
+    return Shown(label=run.variant, trace=run.trace, duration=duration, verdicts=run.verdicts)
+
+
+def _pages(wanted: Sequence[Lane]) -> Iterator[list[Lane]]:
+    """Part lanes into figures that fit a page."""
+    page: list[Lane] = []
+    height = 0.0
+    for lane in wanted:
+        size = lane.height + HEADING + GAP
+        if page and height + size > TALLEST:
+            yield page
+            page, height = [], 0.0
+        page.append(lane)
+        height += size
+    if page:
+        yield page
+
+
+def _caption(run: Run, page: Sequence[Lane], index: int) -> str:
+    what = "every signal over time" if index == 0 else "further signals over time"
+    parts = [f"Run {one_line(run.variant)}: {what}."]
+    if any(lane.judged for lane in page):
+        parts.append("Bands are what the requirements allow, dashed lines their bounds.")
+        if any(verdict.violation for verdict in run.verdicts):
+            parts.append("A shaded stretch with a bar at its upper edge violates a requirement.")
+    if any(not record.active.all() for record in run.trace.fuzzy.values()):
+        parts.append("Hatching at the foot of an output: no rule is active.")
+    if run.trace.fault is not None:
+        fault = run.trace.fault
+        parts.append(f"The run ended at {with_unit(fault.tick / 1e9, 's', 9)}: {one_line(fault.reason)}.")
+    return " ".join(parts)

@@ -1,0 +1,142 @@
+"""The results as one document: what `--json` prints and what the PDF carries.
+
+`schema` rises when a key changes its meaning or goes. The document depends on
+the inputs alone: no times of day, no durations of a computation. Numbers that
+JSON has no word for are null.
+"""
+
+import json
+import math
+import platform
+from collections.abc import Mapping, Sequence
+from importlib.metadata import version
+from typing import Any
+
+from fcl_sim import __version__
+from fcl_sim.judge.verdict import Band, Verdict
+from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
+from fcl_sim.report.summary import overall
+from fcl_sim.testbench import Outcome, Run
+
+SCHEMA = 1
+
+Json = dict[str, Any]
+
+
+def document(outcomes: Sequence[Outcome]) -> Json:
+    """Return the results of a run as JSON's types: scenarios, variants, verdicts, hashes, versions."""
+    return {
+        "schema": SCHEMA,
+        "tool": "fcl_sim",
+        "versions": versions(),
+        "verdict": str(overall(outcomes)),
+        "scenarios": [_scenario(outcome) for outcome in outcomes],
+    }
+
+
+def text(outcomes: Sequence[Outcome]) -> str:
+    """Return the document as text, the same from the same inputs."""
+    return json.dumps(document(outcomes), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of what computed the results."""
+    return {
+        "fcl_sim": __version__,
+        "python": platform.python_version(),
+        "numpy": version("numpy"),
+        "numba": version("numba"),
+    }
+
+
+def _scenario(outcome: Outcome) -> Json:
+    scenario = outcome.scenario
+    return {
+        "name": scenario.name,
+        "title": scenario.title,
+        "verdict": str(outcome.verdict),
+        "overrides": {key: str(value) for key, value in scenario.overrides.items()},
+        "inputs": [_input(each) for each in inputs_of(outcome)],
+        "variants": [_run(run) for run in outcome.variants.values()],
+    }
+
+
+def _input(file: InputFile) -> Json:
+    return {"role": file.role, "name": file.name, "sha256": file.digest}
+
+
+def _run(run: Run) -> Json:
+    diagram, fault = run.diagram, run.trace.fault
+    timing = diagram.timing
+    return {
+        "name": run.variant,
+        "title": run.title,
+        "verdict": str(run.verdict),
+        "scan_ns": timing.scan,
+        "duration_ns": timing.duration,
+        "latency_ns": timing.latency,
+        "jitter_ns": timing.jitter,
+        "seed": timing.seed,
+        "integration": diagram.integration.scheme,
+        "rtol": diagram.integration.rtol,
+        "plant": {
+            "model": diagram.plant.model.declaration.name,
+            "parameters": _finite(diagram.plant.parameters),
+            "start": _finite(diagram.plant.start),
+        },
+        "rule_bases": [
+            {"block": node.name, "function_block": node.block.function_block.name, "arithmetic": ARITHMETIC}
+            for node in fuzzy_nodes(run)
+        ],
+        "samples": len(run.trace.ticks),
+        "fault": None
+        if fault is None
+        else {"time_ns": fault.tick, "signal": fault.signal, "reason": fault.reason},
+        "requirements": [_verdict(each) for each in run.verdicts],
+    }
+
+
+ARITHMETIC = "LREAL"
+"""What the engine computes in: binary64."""
+
+
+def _verdict(verdict: Verdict) -> Json:
+    asked = verdict.requirement
+    return {
+        "id": asked.id,
+        "text": asked.text,
+        "metric": asked.metric,
+        "signal": asked.signal,
+        "arguments": _finite(asked.arguments),
+        "minimum": _number(asked.minimum),
+        "maximum": _number(asked.maximum),
+        "unit": asked.unit,
+        "expect_fail": asked.expect_fail,
+        "verdict": str(verdict.status),
+        "measured": str(verdict.measured),
+        "value": _number(verdict.value),
+        "definition": verdict.definition,
+        "reason": verdict.reason,
+        "band": _band(verdict.band),
+        "violation_s": None if verdict.violation is None else [_number(each) for each in verdict.violation],
+    }
+
+
+def _band(band: Band | None) -> Json | None:
+    if band is None:
+        return None
+    return {
+        "signal": band.signal,
+        "low": _number(band.low),
+        "high": _number(band.high),
+        "start_s": _number(band.start),
+        "end_s": _number(band.end),
+    }
+
+
+def _finite(values: Mapping[str, float]) -> Json:
+    return {name: _number(value) for name, value in values.items()}
+
+
+def _number(value: float | None) -> float | None:
+    return value if value is not None and math.isfinite(value) else None

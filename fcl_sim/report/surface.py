@@ -1,0 +1,210 @@
+"""The characteristic of a block, as a heat map or a curve, with a run drawn over it."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+from numpy.typing import NDArray
+
+from fcl_sim.loop.trace import Values
+from fcl_sim.report import style
+from fcl_sim.report.sampling import Curve, Surface, Track
+from fcl_sim.report.stretches import stretches
+from fcl_sim.report.words import bracketed, number
+
+LEFT, TOP, FOOT = 16.0, 5.0, 10.0
+PAIR, ALONE = 57.0, 128.0
+BETWEEN = 17.0
+HEIGHT = 58.0
+BAR = 3.0
+AFTER = 3.0
+
+HALO = [withStroke(linewidth=2.6, foreground=style.PAPER)]
+
+
+def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Figure:
+    """Return one or two heat maps of an output over two inputs, side by side on one scale.
+
+    Where no rule is active the map is hatched; `track` is drawn over it from an
+    open circle to a filled square.
+    """
+    with style.styled():
+        figure = style.blank(TOP + HEIGHT + FOOT)
+        width = ALONE if len(surfaces) == 1 else PAIR
+        scale = _scale(surfaces)
+        left = LEFT
+        for surface in surfaces:
+            axes = style.place(figure, left, TOP, width, HEIGHT)
+            _draw_map(axes, surface, scale)
+            style.tidy(axes, across=int(width / 9.0), up=6)
+            axes.grid(visible=False)
+            _draw_undefined(axes, surface)
+            if track is not None:
+                _draw_track(axes, track)
+            axes.set_title(surface.title, loc="left", pad=3.0, fontsize=style.SMALL, color=style.FAINT)
+            left += width + BETWEEN
+        bar = style.place(figure, left - BETWEEN + AFTER, TOP, BAR, HEIGHT)
+        figure.colorbar(
+            ScalarMappable(scale, style.heat()),
+            cax=bar,
+            ticks=_levels(scale),
+            format=FuncFormatter(lambda value, _: number(value, 6)),
+        )
+        bar.set_ylabel(style.wrapped(bracketed(surfaces[0].name, surfaces[0].unit), HEIGHT))
+        bar.tick_params(length=2.0, width=0.5)
+    return figure
+
+
+def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
+    """Return the output over the one input, hatched where no rule is active, with the visited stretch."""
+    with style.styled():
+        figure = style.blank(TOP + HEIGHT + FOOT)
+        axes = style.place(figure, LEFT, TOP, style.WIDTH - LEFT - 4.0, HEIGHT)
+        axes.plot(
+            curve.x,
+            np.where(curve.undefined, np.nan, curve.values),
+            color=style.COLOURS[0],
+            linewidth=1.3,
+            zorder=4,
+        )
+        for start, end in stretches(curve.undefined):
+            style.hatch_span(
+                axes, float(curve.x[max(start - 1, 0)]), float(curve.x[min(end, len(curve.x) - 1)])
+            )
+        axes.set_xlim(curve.x[0], curve.x[-1])
+        style.tidy(axes, up=7)
+        if track is not None:
+            _draw_track(axes, track)
+        axes.set_xlabel(bracketed(curve.across.name, curve.across.unit))
+        axes.set_ylabel(style.wrapped(bracketed(curve.name, curve.unit), HEIGHT))
+    return figure
+
+
+def _scale(surfaces: Sequence[Surface]) -> Normalize:
+    defined = np.concatenate([each.values[~each.undefined & np.isfinite(each.values)] for each in surfaces])
+    low, high = (float(defined.min()), float(defined.max())) if len(defined) else (0.0, 1.0)
+    return Normalize(low, high if high > low else low + 1.0)
+
+
+def _levels(scale: Normalize) -> Values:
+    levels = MaxNLocator(9).tick_values(scale.vmin or 0.0, scale.vmax or 0.0)
+    return np.asarray([each for each in levels if scale(each) >= 0.0 and scale(each) <= 1.0])
+
+
+def _draw_map(axes: Axes, surface: Surface, scale: Normalize) -> None:
+    shown = np.ma.masked_where(surface.undefined | ~np.isfinite(surface.values), surface.values)
+    axes.pcolormesh(surface.x, surface.y, shown, cmap=style.heat(), norm=scale, rasterized=True, zorder=1)
+    middles = [(edges[:-1] + edges[1:]) / 2.0 for edges in (surface.x, surface.y)]
+    if shown.count() and float(np.ptp(shown.compressed())) > 0.0:
+        axes.contour(
+            *middles,
+            shown,
+            levels=_levels(scale),
+            colors=style.INK,
+            linewidths=0.35,
+            linestyles="solid",
+            alpha=0.55,
+            zorder=2,
+        )
+    axes.set_xlim(surface.x[0], surface.x[-1])
+    axes.set_ylim(surface.y[0], surface.y[-1])
+    axes.set_xlabel(style.wrapped(bracketed(surface.across.name, surface.across.unit), 60.0))
+    axes.set_ylabel(style.wrapped(bracketed(surface.up.name, surface.up.unit), HEIGHT))
+
+
+def _draw_undefined(axes: Axes, surface: Surface) -> None:
+    """Hatch the cells in which no rule is active, and outline them."""
+    if not surface.undefined.any():
+        return
+    vertices: list[tuple[float, float]] = []
+    for bottom, top, row in _bands(surface.undefined):
+        for start, end in row:
+            left, right = float(surface.x[start]), float(surface.x[end])
+            low, high = float(surface.y[bottom]), float(surface.y[top])
+            vertices += [(left, low), (right, low), (right, high), (left, high), (left, low)]
+    codes = [Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY] * (len(vertices) // 5)
+    axes.add_patch(
+        PathPatch(
+            Path(vertices, codes),
+            facecolor=style.UNDEFINED,
+            edgecolor=style.FAINT,
+            hatch="//////",
+            linewidth=0,
+            zorder=3,
+        )
+    )
+    axes.add_collection(LineCollection(_outline(surface), colors=style.FAINT, linewidths=0.6, zorder=3.1))
+
+
+Stretches = tuple[tuple[int, int], ...]
+
+
+def _bands(flags: NDArray[np.bool_]) -> list[tuple[int, int, Stretches]]:
+    """Return flags (m, n) as rectangles: first row, row after the last, stretches of columns."""
+    bands: list[tuple[int, int, Stretches]] = []
+    for index, row in enumerate(flags):
+        columns = tuple(stretches(row))
+        if bands and bands[-1][2] == columns:
+            bands[-1] = (bands[-1][0], index + 1, columns)
+        else:
+            bands.append((index, index + 1, columns))
+    return bands
+
+
+def _outline(surface: Surface) -> list[list[tuple[float, float]]]:
+    """Return the segments between a cell with a rule and one without, joined where they are straight."""
+    segments: list[list[tuple[float, float]]] = []
+    flags = surface.undefined
+    for places, across, turned in ((surface.y, surface.x, False), (surface.x, surface.y, True)):
+        grid = flags.T if turned else flags
+        changes = grid[1:] != grid[:-1]
+        for index, row in enumerate(changes):
+            at = float(places[index + 1])
+            for start, end in stretches(row):
+                ends = [(float(across[start]), at), (float(across[end]), at)]
+                segments.append([(y, x) for x, y in ends] if turned else ends)
+    return segments
+
+
+def _draw_track(axes: Axes, track: Track) -> None:
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    x, y = thinned_path(track.x, track.y, (right - left, high - low))
+    if not len(x):
+        return
+    axes.plot(x, y, color=style.INK, linewidth=0.9, path_effects=HALO, zorder=5, solid_joinstyle="round")
+    ends: dict[str, Any] = {
+        "color": style.INK,
+        "markeredgewidth": 0.9,
+        "clip_on": False,
+        "zorder": 6,
+        "linestyle": "none",
+    }
+    if left <= x[0] <= right and low <= y[0] <= high:
+        axes.plot(x[:1], y[:1], "o", markersize=5.2, markerfacecolor=style.PAPER, **ends)
+    if left <= x[-1] <= right and low <= y[-1] <= high:
+        axes.plot(x[-1:], y[-1:], "s", markersize=4.2, path_effects=HALO, **ends)
+    axes.set_xlim(left, right)
+    axes.set_ylim(low, high)
+
+
+def thinned_path(
+    x: Values, y: Values, spans: tuple[float, float], cells: int = 1500
+) -> tuple[Values, Values]:
+    """Return the finite points of a path (n,) that leave their `cells`-th of the spans, and its last."""
+    finite = np.isfinite(x) & np.isfinite(y)
+    x, y = x[finite], y[finite]
+    if len(x) < 2:
+        return x, y
+    places = np.stack([np.round(x / spans[0] * cells), np.round(y / spans[1] * cells)])
+    keep = np.concatenate(([True], (np.diff(places, axis=1) != 0).any(axis=0)))
+    keep[-1] = True
+    return x[keep], y[keep]

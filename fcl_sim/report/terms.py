@@ -1,0 +1,45 @@
+"""Where the terms of a variable lie, for the axes of pictures."""
+
+from collections.abc import Mapping, Sequence
+
+from fcl_sim.model import FunctionBlock, Point, Points, Singleton, Term
+
+Initials = Mapping[str, float]
+"""Initial values of inputs by name, letter case folded: where variable points stand in a picture."""
+
+REACH = 2.0
+"""A run is followed so many spans of the terms outside them, and no further."""
+
+
+def initials(block: FunctionBlock) -> Initials:
+    """Return the initial value of each input and local variable, 0 where none is declared."""
+    return {each.name.casefold(): each.initial or 0.0 for each in (*block.inputs, *block.variables)}
+
+
+def abscissae(term: Term, start: Initials) -> list[float]:
+    """Return the places of a term's points, or of its singleton."""
+    if isinstance(term.shape, Singleton):
+        return [_at(term.shape.value, start)]
+    return [_at(point.x, start) for point in term.shape.points]
+
+
+def extent(terms: Sequence[Term], start: Initials) -> tuple[float, float]:
+    """Return the least and the largest abscissa of terms; around a lone one, some room."""
+    places = [x for term in terms for x in abscissae(term, start)] or [0.0]
+    low, high = min(places), max(places)
+    if low == high:
+        return low - (abs(low) or 1.0), high + (abs(high) or 1.0)
+    return low, high
+
+
+def settled(term: Term, start: Initials) -> Term:
+    """Return a term whose variable abscissae stand at their initial values, never falling (S22)."""
+    places = abscissae(term, start)
+    if isinstance(term.shape, Singleton):
+        return Term(term.name, Singleton(places[0]), term.span)
+    points = [Point(max(places[: index + 1]), point.degree) for index, point in enumerate(term.shape.points)]
+    return Term(term.name, Points(tuple(points)), term.span)
+
+
+def _at(x: float | str, start: Initials) -> float:
+    return start.get(x.casefold(), 0.0) if isinstance(x, str) else x

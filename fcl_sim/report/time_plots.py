@@ -1,0 +1,235 @@
+"""Signals over time, each against its requirement bands: stacked axes, one time."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from fcl_sim.judge.verdict import Band, Verdict
+from fcl_sim.loop.trace import Trace, Values
+from fcl_sim.report import style
+from fcl_sim.report.bands import draw_bands, draw_violations, focus_on, worth_showing
+from fcl_sim.report.legend import draw_legend, legend_height
+from fcl_sim.report.stretches import stretches
+from fcl_sim.report.words import bracketed, number, one_line, with_unit
+
+LEFT, RIGHT = 15.0, 15.0
+ACROSS = style.WIDTH - LEFT - RIGHT
+HEADING = 4.4
+GAP = 2.6
+FOOT = 9.0
+TALL, LOW = 22.0, 13.0
+"""Heights in mm of an axis with a requirement and of one without."""
+
+BUCKETS = 900
+"""A line is thinned to its extremes in so many stretches: finer than any printer."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shown:
+    """One run of a time plot: label, trace, planned duration in seconds, verdicts with their bands."""
+
+    label: str
+    trace: Trace
+    duration: float
+    verdicts: Sequence[Verdict] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lane:
+    """One axis: a signal, all the names it goes by, its unit.
+
+    `focus` is the range of a second look at a signal, close to its bounds.
+    """
+
+    signal: str
+    names: tuple[str, ...]
+    unit: str
+    judged: bool = False
+    focus: tuple[float, float] | None = None
+
+    @property
+    def height(self) -> float:
+        """Height of the axis in mm."""
+        return TALL if self.judged else LOW
+
+
+def lanes(run: Shown) -> list[Lane]:
+    """Return the axes of a run: judged signals first, equal signals once under all their names.
+
+    A judged signal whose bounds are narrow beside its range gets a second axis
+    close to them.
+    """
+    trace = run.trace
+    judged = {verdict.requirement.signal for verdict in run.verdicts}
+    found: dict[tuple[str, bytes], list[str]] = {}
+    for column, name in enumerate(trace.names):
+        key = (trace.units[name], np.ascontiguousarray(trace.values[:, column]).tobytes())
+        found.setdefault(key, []).append(name)
+    first: list[Lane] = []
+    others: list[Lane] = []
+    for (unit, _), names in found.items():
+        names.sort(key=lambda name: name not in judged)
+        lane = Lane(signal=names[0], names=tuple(names), unit=unit, judged=names[0] in judged)
+        (first if lane.judged else others).append(lane)
+        focus = focus_on(_bands(lane, [run]), trace[lane.signal])
+        if focus is not None:
+            first.append(replace(lane, focus=focus))
+    return first + others
+
+
+def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Values, Values]:
+    """Return the points (m,) of a line (n,) that the eye sees: each bucket's first, least and largest."""
+    if len(time) <= 3 * buckets:
+        return time, values
+    starts = np.linspace(0, len(time), buckets + 1).astype(np.int64)
+    keep = {0, len(time) - 1}
+    for start, end in pairwise(starts):
+        piece = values[start:end]
+        keep.add(int(start))
+        if np.isfinite(piece).any():
+            keep.update((int(start + np.nanargmin(piece)), int(start + np.nanargmax(piece))))
+    chosen = np.array(sorted(keep))
+    return time[chosen], values[chosen]
+
+
+def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
+    """Return stacked axes, one a lane, with the runs in each, the first drawn strongest.
+
+    A lone run has its violations shaded over the height of the axis; of several
+    each marks its own along the upper edge.
+    """
+    with style.styled():
+        headings = [_heading_text(lane, runs) for lane in shown]
+        labels = [run.label for run in runs] if len(runs) > 1 else []
+        top = legend_height(labels)
+        total = sum(
+            lane.height + HEADING * (text.count("\n") + 1) for lane, text in zip(shown, headings, strict=True)
+        )
+        figure = style.blank(top + total + (len(shown) - 1) * GAP + FOOT)
+        draw_legend(figure, labels)
+        last: Axes | None = None
+        for lane, text in zip(shown, headings, strict=True):
+            top += HEADING * (text.count("\n") + 1)
+            axes = style.place(figure, LEFT, top, ACROSS, lane.height, last)
+            _draw_lane(axes, lane, runs)
+            _heading(axes, text, lane, runs)
+            axes.tick_params(labelbottom=lane is shown[-1])
+            last = axes
+            top += lane.height + GAP
+        if last is not None:
+            last.set_xlabel("time  [s]")
+            last.set_xlim(0.0, max(run.duration for run in runs))
+    return figure
+
+
+def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
+    bands = _bands(lane, runs)
+    present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
+    axes.set_ylim(lane.focus or _limits([run.trace[lane.signal] for _, run in present], bands))
+    style.tidy(axes, up=4 if lane.judged else 3)
+    draw_bands(axes, bands, lane.height)
+    for index, run in reversed(present):
+        _draw_run(axes, lane, run, index, alone=len(runs) == 1)
+
+
+def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) -> None:
+    time, values = thinned(run.trace.time, run.trace[lane.signal])
+    colour, dashes = style.stroke(index)
+    width = 1.1 if index == 0 else 0.9
+    axes.plot(time, values, color=colour, linestyle=dashes, linewidth=width, zorder=5 - 0.1 * index)
+    low, high = axes.get_ylim()
+    if len(time) and low <= values[-1] <= high:
+        axes.plot(time[-1:], values[-1:], "o", color=colour, markersize=3.2, clip_on=False, zorder=6)
+    violations = [
+        each.violation for each in run.verdicts if each.requirement.signal in lane.names and each.violation
+    ]
+    draw_violations(axes, violations, None if alone else (index, colour))
+    if run.trace.fault is not None:
+        _mark_fault(axes, run.trace.fault.tick / 1e9, run, alone=alone)
+    if alone:
+        _mark_undefined(axes, lane, run.trace)
+
+
+def _bands(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:
+    """Return each band once, with the requirements that ask for it."""
+    bands: dict[Band, list[str]] = {}
+    for verdict in (each for run in runs for each in run.verdicts):
+        if verdict.band is not None and verdict.band.signal in lane.names:
+            ids = bands.setdefault(verdict.band, [])
+            if verdict.requirement.id not in ids:
+                ids.append(verdict.requirement.id)
+    return bands
+
+
+def _limits(values: Sequence[Values], bands: Mapping[Band, Sequence[str]]) -> tuple[float, float]:
+    finite = np.concatenate([each[np.isfinite(each)] for each in values] or [np.zeros(1)])
+    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
+    for limit in (limit for band in bands for limit in (band.low, band.high) if limit is not None):
+        if worth_showing(limit, low, high):
+            low, high = min(low, limit), max(high, limit)
+    margin = 0.08 * (high - low) or 0.1 * abs(high) or 1.0
+    return low - margin, high + margin
+
+
+def _heading_text(lane: Lane, runs: Sequence[Shown]) -> str:
+    room = ACROSS - style.text_width(_end_text(lane, runs), style.SMALL) - 4.0
+    return style.wrapped(bracketed(lane.names[0], lane.unit), room)
+
+
+def _heading(axes: Axes, text: str, lane: Lane, runs: Sequence[Shown]) -> None:
+    end = _end_text(lane, runs)
+    axes.annotate(text, (0, 1), (0, 2.5), "axes fraction", "offset points", va="baseline", linespacing=1.15)
+    quiet: dict[str, Any] = {"color": style.FAINT, "fontsize": style.SMALL}
+    axes.annotate(end, (1, 1), (0, 2.5), "axes fraction", "offset points", ha="right", **quiet)
+    remark = (
+        "close to its bounds" if lane.focus else ", ".join(f"= {one_line(each)}" for each in lane.names[1:])
+    )
+    left = style.text_width(text.rpartition("\n")[2]) + 3.0
+    room = ACROSS - style.text_width(end, style.SMALL) - left - 4.0
+    if room > 10.0:
+        remark = style.cut(remark, room, style.SMALL)
+        axes.annotate(remark, (0, 1), (left / 25.4 * 72.0, 2.5), "axes fraction", "offset points", **quiet)
+
+
+def _end_text(lane: Lane, runs: Sequence[Shown]) -> str:
+    if len(runs) > 1 or lane.focus or lane.signal not in runs[0].trace or not len(runs[0].trace.ticks):
+        return ""
+    return f"ends at {with_unit(float(runs[0].trace[lane.signal][-1]), lane.unit)}"
+
+
+def _mark_fault(axes: Axes, at: float, run: Shown, *, alone: bool) -> None:
+    """Draw where a run ended early; of a lone run, what is missing is grey."""
+    if alone:
+        axes.axvspan(at, max(at, run.duration), facecolor=style.UNDEFINED, linewidth=0, zorder=3)
+    axes.axvline(at, color=style.INK, linewidth=1.4, zorder=7)
+    right = at > 0.7 * run.duration
+    who = "" if alone else f" of {style.cut(one_line(run.label), 30.0, style.SMALL)}"
+    axes.annotate(
+        f"FAULT{who} at {number(at)} s",
+        (at, 0.86),
+        (-4 if right else 4, 0),
+        ("data", "axes fraction"),
+        "offset points",
+        ha="right" if right else "left",
+        va="center",
+        fontsize=style.SMALL,
+        fontweight="bold",
+        zorder=8,
+    )
+
+
+def _mark_undefined(axes: Axes, lane: Lane, trace: Trace) -> None:
+    """Hatch the foot of an output's axis over the scans in which no rule was active for it."""
+    for path, record in trace.fuzzy.items():
+        for column, output in enumerate(record.output_names):
+            if not {f"{path}.{output}", path} & set(lane.names):
+                continue
+            last = len(trace.ticks) - 1
+            for start, end in stretches(~record.active[:, column]):
+                span = (float(trace.time[start]), float(trace.time[min(end, last)]))
+                style.hatch_span(axes, *span, top=0.14)

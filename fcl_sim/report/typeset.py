@@ -1,0 +1,46 @@
+"""SVG and data → PDF and PNG, by typst: no text of a user ever becomes markup."""
+
+from datetime import UTC, datetime
+from importlib.resources import files
+from pathlib import Path
+
+import matplotlib as mpl
+import typst
+
+PPI = 160
+"""Dots per inch of a PNG."""
+
+GALLERY = b"""
+#set page(width: auto, height: auto, margin: 0pt)
+#for each in json("gallery.json") { page(image(each)) }
+"""
+
+
+def pdf(folder: Path, date: datetime) -> bytes:
+    """Return the report whose data stand in `folder` as `report.json`, with what it names, dated `date`.
+
+    Tagged PDF/A-3a and PDF/UA-1, the same bytes from the same files.
+    """
+    template = files("fcl_sim.report").joinpath("report.typ").read_bytes()
+    made = _compiler(folder).compile(
+        template, format="pdf", pdf_standards=["a-3a", "ua-1"], timestamp=date.astimezone(UTC)
+    )
+    assert isinstance(made, bytes)  # noqa: S101  a PDF is one file
+    return made
+
+
+def pngs(folder: Path) -> list[bytes]:
+    """Return the SVG files that `gallery.json` in `folder` names, at least one, as PNGs.
+
+    They are the drawings of the PDF; drawn from the figures themselves they
+    would take ten times as long.
+    """
+    made = _compiler(folder).compile(GALLERY, format="png", ppi=PPI)
+    return made if isinstance(made, list) else [made] if made else []
+
+
+def _compiler(folder: Path) -> typst.Compiler:
+    """Return typst with its own fonts and matplotlib's, and nothing of the machine it runs on."""
+    shipped = [str(Path(mpl.get_data_path()) / "fonts" / "ttf")]
+    fonts = typst.Fonts(include_system_fonts=False, font_paths=shipped)
+    return typst.Compiler(root=str(folder), font_paths=fonts, ignore_system_fonts=True)

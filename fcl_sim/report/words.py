@@ -1,0 +1,101 @@
+"""Numbers, units and names as a reader wants them."""
+
+import math
+import re
+from collections.abc import Sequence
+
+from fcl_sim.judge import wording
+from fcl_sim.judge.verdict import Requirement, Status, Verdict
+
+MINUS = "\N{MINUS SIGN}"
+NO_BREAK = "\N{NO-BREAK SPACE}"
+
+CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
+"""Characters that no page can show: a TOML key or an FCL comment may hold them."""
+
+
+def plain(text: str) -> str:
+    """Return text that a page can show: control characters become U+FFFD, tabs four blanks."""
+    return CONTROL.sub("\N{REPLACEMENT CHARACTER}", text.replace("\r\n", "\n").replace("\t", "    "))
+
+
+def one_line(text: str) -> str:
+    """Return text on one line, as a label or a table's cell needs it."""
+    return " ".join(plain(text).split())
+
+
+def number(value: float, digits: int = 4) -> str:
+    """Return a number for a reader: `digits` significant figures, a true minus sign, no `-0`."""
+    if not math.isfinite(value):
+        return "not a number" if math.isnan(value) else f"{MINUS if value < 0 else ''}∞"
+    text = f"{value:.{digits}g}"
+    mantissa, e, exponent = text.partition("e")
+    if e:
+        text = f"{mantissa}e{int(exponent)}"
+    return "0" if float(text) == 0 else text.replace("-", MINUS)
+
+
+def with_unit(value: float, unit: str, digits: int = 4) -> str:
+    """Return a number with its unit, which it does not part from; a pure number shows none."""
+    return _joined(number(value, digits), unit)
+
+
+def exactly(value: float, unit: str) -> str:
+    """Return a number that the user wrote with all its digits, and its unit."""
+    return _joined(wording.exactly(value, "").replace("-", MINUS), unit)
+
+
+def _joined(digits: str, unit: str) -> str:
+    return digits + ("" if unit in {"", "1"} else f"{NO_BREAK}{one_line(unit)}")
+
+
+def bracketed(name: str, unit: str) -> str:
+    """Return the label of an axis: the name and its unit, `[1]` where it has none."""
+    return f"{one_line(name)} [{one_line(unit) or '1'}]"
+
+
+def bound(requirement: Requirement) -> str:
+    """Return what a requirement asks of its metric: `at most 35 s`, `−1 m to 1 m`."""
+    low, high, unit = requirement.minimum, requirement.maximum, requirement.unit
+    if low is not None and high is not None:
+        return (
+            f"{exactly(low, unit)} to {exactly(high, unit)}"
+            if low != high
+            else f"exactly {exactly(low, unit)}"
+        )
+    if high is not None:
+        return f"at most {exactly(high, unit)}"
+    return "no bound" if low is None else f"at least {exactly(low, unit)}"
+
+
+def value(verdict: Verdict) -> str:
+    """Return what was measured, to as many digits as tell it from its bound; a dash where nothing was."""
+    if verdict.value is None:
+        return "\N{EM DASH}"
+    asked = verdict.requirement
+    limits = [each for each in (asked.minimum, asked.maximum) if each is not None]
+    near = min(limits, key=lambda each: abs(each - (verdict.value or 0.0)), default=None)
+    return _joined(wording.number(verdict.value, near=near).replace("-", MINUS), asked.unit)
+
+
+def expectation(verdict: Verdict) -> str:
+    """Return how a requirement that is expected to fail came out; nothing for the others."""
+    if not verdict.requirement.expect_fail:
+        return ""
+    if verdict.status is Status.PASS:
+        return "not met, as expected"
+    if verdict.measured is Status.PASS:
+        return "met, though expected to fail"
+    return f"expected to fail; measured {verdict.measured}"
+
+
+def counted(count: int, noun: str, plural: str = "") -> str:
+    """Return a count with its noun: `1 run`, `4 runs`."""
+    return f"{count} {noun}" if count == 1 else f"{count} {plural or noun + 's'}"
+
+
+def joined(words: Sequence[str]) -> str:
+    """Return words as a sentence lists them: `a, b and c`."""
+    if len(words) < 2:
+        return "".join(words)
+    return ", ".join(words[:-1]) + " and " + words[-1]

@@ -1,0 +1,122 @@
+"""Outcomes → files: one PDF, the results as JSON, the pictures as PNG; whole or not at all."""
+
+import errno
+import json
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from fcl_sim.diagnostics import InputFault
+from fcl_sim.report import results, style, typeset
+from fcl_sim.report.content import report_data
+from fcl_sim.report.exclusive import workplace
+from fcl_sim.report.pictures import Picture
+from fcl_sim.report.provenance import date_of
+from fcl_sim.testbench import Outcome
+
+PDF = "report.pdf"
+RESULTS = "results.json"
+LONGEST = 80
+"""Characters of a file's stem; file systems take 255 bytes with the ending."""
+
+Progress = Callable[[int, int], None]
+
+
+def write(outcomes: Sequence[Outcome], folder: Path, progress: Progress | None = None) -> list[Path]:
+    """Write the report of a run into `folder`; return its files, the PDF first.
+
+    Everything is made in a hidden folder inside `folder` and moved into place
+    at the end, file by file, so a run that is killed leaves old files or new
+    ones, none half-written. `progress` is called with the pictures drawn and
+    their number. InputFault where the system refuses.
+    """
+    date = date_of(outcomes)
+    try:
+        with workplace(folder) as work:
+            shelf = Shelf()
+            data = report_data(outcomes, shelf.add)
+            (work / RESULTS).write_text(results.text(outcomes), encoding="utf-8")
+            (work / "report.json").write_text(json.dumps(data), encoding="utf-8")
+            shelf.draw(work, progress or _silent)
+            (work / PDF).write_bytes(typeset.pdf(work, date))
+            return _move(work, folder, [*shelf.export(work), RESULTS, PDF])[::-1]
+    except OSError as error:
+        raise refused(error, folder) from error
+
+
+def write_pictures(pictures: Sequence[Picture], folder: Path) -> list[Path]:
+    """Write pictures into `folder` as PNGs, as `write` does; return the files."""
+    try:
+        with workplace(folder) as work:
+            shelf = Shelf()
+            for picture in pictures:
+                shelf.add("", picture)
+            shelf.draw(work, _silent)
+            return _move(work, folder, shelf.export(work))
+    except OSError as error:
+        raise refused(error, folder) from error
+
+
+class Shelf:
+    """The pictures of a report, under names that any file system takes and no two share."""
+
+    def __init__(self) -> None:
+        self._pictures: dict[str, Picture] = {}
+
+    def add(self, folder: str, picture: Picture) -> str:
+        """Take a picture; return the name of its SVG file, to be drawn later."""
+        stem = "/".join(slug(each) for each in (*folder.split("/"), picture.name) if each)
+        name, copy = stem, 1
+        while name.casefold() in {each.casefold() for each in self._pictures}:
+            copy += 1
+            name = f"{stem}-{copy}"
+        self._pictures[name] = picture
+        return f"{name}.svg"
+
+    def draw(self, work: Path, progress: Progress) -> None:
+        """Draw every picture into `work` as SVG."""
+        for done, (name, picture) in enumerate(self._pictures.items()):
+            progress(done, len(self._pictures))
+            file = work / f"{name}.svg"
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(style.svg(picture.draw()))
+        progress(len(self._pictures), len(self._pictures))
+
+    def export(self, work: Path) -> list[str]:
+        """Write every drawn picture as PNG; return the files' names."""
+        svgs = [f"{name}.svg" for name in self._pictures]
+        (work / "gallery.json").write_text(json.dumps(svgs), encoding="utf-8")
+        names = [f"{name}.png" for name in self._pictures]
+        for name, png in zip(names, typeset.pngs(work) if svgs else [], strict=True):
+            (work / name).write_bytes(png)
+        return names
+
+
+def slug(name: str) -> str:
+    """Return a name as a file's stem: letters, digits, `-`, `_`, and dots inside."""
+    return re.sub(r"[^A-Za-z0-9_.-]+", "_", name).strip(".")[:LONGEST] or "_"
+
+
+def _move(work: Path, folder: Path, names: Sequence[str]) -> list[Path]:
+    moved = []
+    for name in names:
+        target = folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        moved.append((work / name).replace(target))
+    return moved
+
+
+def refused(error: OSError, folder: Path) -> InputFault:
+    """Return the fault of a report that the system did not let us write."""
+    full = error.errno in {errno.ENOSPC, errno.EDQUOT}
+    reason = error.strerror or str(error)
+    return InputFault.at_file(
+        "RUN201",
+        str(folder),
+        f"the report cannot be written: {reason}",
+        "make room, or name a folder elsewhere" if full else "name a folder that can be written",
+    )
+
+
+def _silent(done: int, total: int) -> None:
+    """Take no notice of how far the drawing is."""
