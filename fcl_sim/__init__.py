@@ -3,4 +3,34 @@
 Nothing heavy is imported until a name is used (PEP 562).
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from fcl_sim.block import Block, load, load_all, loads
+    from fcl_sim.diagnostics import InputFault
+    from fcl_sim.engine.instance import Instance
+
 __version__ = "0.1.0"
+
+__all__ = ["Block", "InputFault", "Instance", "__version__", "load", "load_all", "loads"]
+
+_HOMES = {
+    "Block": "fcl_sim.block",
+    "InputFault": "fcl_sim.diagnostics",
+    "Instance": "fcl_sim.engine.instance",
+    "load": "fcl_sim.block",
+    "load_all": "fcl_sim.block",
+    "loads": "fcl_sim.block",
+}
+"""Where each public name lives."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

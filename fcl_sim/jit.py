@@ -61,9 +61,19 @@ def kernel(function: Function) -> Function:
     return dispatcher
 
 
+def flat(function: Function) -> Function:
+    """Decorate a kernel that makes no arrays: those it is given are not counted as references.
+
+    numba's counting costs an atomic operation or two per array and call, as
+    much as a small rule base, wherever its own pruning does not see through.
+    """
+    dispatcher: Function = numba.njit(nogil=True, error_model="numpy", _nrt=False)(function)
+    return dispatcher
+
+
 def inlined(function: Function) -> Function:
-    """Decorate a small kernel that is to be copied into its callers."""
-    dispatcher: Function = numba.njit(nogil=True, error_model="numpy", forceinline=True)(function)
+    """Decorate a small flat kernel that is copied into its callers."""
+    dispatcher: Function = numba.njit(nogil=True, error_model="numpy", _nrt=False, forceinline=True)(function)
     return dispatcher
 
 

@@ -1,0 +1,53 @@
+"""Fuzzification on a merged grid of knots (5.2.2)."""
+
+from numpy import float64
+from numpy.typing import NDArray
+
+from fcl_sim.arithmetic.operators import minimum
+from fcl_sim.jit import inlined, u
+
+FEW = 8
+"""Up to this many knots all of them are compared; of more, a quarter is left by each three comparisons."""
+
+
+@inlined
+def passed(x: float, floats: NDArray[float64], at: int) -> int:
+    """Return how many of the four knots at `at` lie below `x`, plus how many lie below or at it."""
+    below = int(floats[u(at)] < x) + int(floats[u(at + 1)] < x)
+    below += int(floats[u(at + 2)] < x) + int(floats[u(at + 3)] < x)
+    reached = int(floats[u(at)] <= x) + int(floats[u(at + 1)] <= x)
+    reached += int(floats[u(at + 2)] <= x) + int(floats[u(at + 3)] <= x)
+    return below + reached
+
+
+@inlined
+def cell_of(x: float, floats: NDArray[float64], knots: int, count: int) -> int:
+    """Return the cell of `x` on the rising knots at `floats[knots]`.
+
+    Cell 2 k is the open interval before knot k, cell 2 k + 1 is knot k itself,
+    so that a vertical edge is a value in its knot's cell (S21). `count` is 4, 8
+    or a power of 4; NaN fills the knots up and stands once more behind them.
+    """
+    if count <= FEW:
+        cell = passed(x, floats, knots)
+        if count > 4:
+            cell += passed(x, floats, knots + 4)
+        return cell
+    below = knots
+    step = count >> 2
+    while step > 0:
+        quarters = int(floats[u(below + step - 1)] < x) + int(floats[u(below + 2 * step - 1)] < x)
+        below += step * (quarters + int(floats[u(below + 3 * step - 1)] < x))
+        step >>= 2
+    return 2 * (below - knots) + int(floats[u(below)] <= x)
+
+
+@inlined
+def degree_on(x: float, floats: NDArray[float64], segment: int) -> float:
+    """Return the degree of `x` on the segment (origin, value, slope) at `floats[segment]`.
+
+    The origin is the end where the degree is lower: near zero the error is
+    relative to the degree itself.
+    """
+    rise = floats[u(segment + 2)] * (x - floats[u(segment)])
+    return minimum(1.0, floats[u(segment + 1)] + rise)

@@ -1,0 +1,138 @@
+"""Block: a function block that can be evaluated, and how one is loaded."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
+from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.engine.assemble import assemble
+from fcl_sim.engine.evaluate import Evaluation, evaluate
+from fcl_sim.engine.explain import Explanation
+from fcl_sim.engine.instance import Instance
+from fcl_sim.engine.program import Program
+from fcl_sim.fcl import Reading, read, read_file
+from fcl_sim.model import FunctionBlock
+
+ARITHMETICS = ("LREAL",)
+"""The arithmetics in which an instance can compute."""
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """A function block with its program; `diagnostics` are the notes and warnings of its reading."""
+
+    function_block: FunctionBlock
+    program: Program
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """Name of the function block."""
+        return self.function_block.name
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of the inputs, in the order of their declaration."""
+        return self.program.input_names
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs, in the order of their declaration."""
+        return self.program.output_names
+
+    def __repr__(self) -> str:
+        return f"<Block {self.name}: {', '.join(self.inputs)} -> {', '.join(self.outputs)}>"
+
+    def instance(self, arithmetic: str = "LREAL") -> Instance:
+        """Return a new instance with its own memory; LREAL is binary64 (S36)."""
+        if arithmetic not in ARITHMETICS:
+            known = listed(ARITHMETICS)
+            raise ValueError(f"arithmetic {arithmetic!r} is not in this version; there is {known}")
+        return Instance(self.function_block, self.program)
+
+    def evaluate(
+        self, values: Mapping[str, ArrayLike], previous: Mapping[str, ArrayLike] | None = None
+    ) -> dict[str, NDArray[np.float64]]:
+        """Return the outputs at every point of `values`, arrays that are broadcast; there is no state.
+
+        NC gives `previous`, else the initial value. An input may be missing
+        where an initial value is declared for it. Raises TypeError for an
+        unknown or missing variable, ValueError for a value that is not finite,
+        with the variable and the first index (S37).
+        """
+        return dict(self.evaluation(values, previous).outputs)
+
+    def evaluation(
+        self, values: Mapping[str, ArrayLike], previous: Mapping[str, ArrayLike] | None = None
+    ) -> Evaluation:
+        """Return what `evaluate` does, and where any rule was active."""
+        return evaluate(self.program, values, previous, self._declared())
+
+    def explain(self, **values: float) -> Explanation:
+        """Return one evaluation from the initial state, step by step; inputs and errors as in `evaluate`."""
+        evaluate(self.program, values, None, self._declared())
+        return self.instance().explain(**values)
+
+    def _declared(self) -> frozenset[str]:
+        return frozenset(each.name for each in self.function_block.inputs if each.initial is not None)
+
+
+def load(path: str | os.PathLike[str], block: str | None = None) -> Block:
+    """Return the function block in an FCL file; `block` names it where there are several (S16).
+
+    Raises InputFault with every error of the file.
+    """
+    return _chosen(load_all(path), block, os.fspath(path))
+
+
+def loads(text: str, name: str = "<text>", block: str | None = None) -> Block:
+    """Return the function block in an FCL text that is called `name`; else as `load`."""
+    return _chosen(_blocks(read(text, name), name), block, name)
+
+
+def load_all(path: str | os.PathLike[str]) -> dict[str, Block]:
+    """Return all function blocks in an FCL file by name, in the order of the text.
+
+    Raises InputFault with every error of the file.
+    """
+    return _blocks(read_file(path), os.fspath(path))
+
+
+def _blocks(reading: Reading, name: str) -> dict[str, Block]:
+    if any(each.is_error for each in reading.diagnostics):
+        raise InputFault(reading.diagnostics)
+    if not reading.blocks:
+        raise InputFault.at_file("FCL421", name, "there is no FUNCTION_BLOCK")
+    faults: list[Diagnostic] = []
+    blocks = {}
+    for each in reading.blocks:
+        try:
+            blocks[each.name] = Block(each, assemble(each), reading.diagnostics)
+        except InputFault as fault:
+            faults += fault.diagnostics
+    if faults:
+        raise InputFault(faults)
+    return blocks
+
+
+def _chosen(blocks: Mapping[str, Block], wanted: str | None, file: str) -> Block:
+    if wanted is None and len(blocks) == 1:
+        return next(iter(blocks.values()))
+    for each in blocks.values():
+        if wanted is not None and each.name.casefold() == wanted.casefold():
+            return each
+    spans = [each.function_block.span for each in blocks.values()]
+    places = tuple(Place(span) for span in spans if span is not None) or (Place(file=file),)
+    if wanted is None:
+        message = f"there are {len(blocks)} function blocks; say which one is meant"
+        raise InputFault(
+            [Diagnostic(code="FCL422", message=message, places=places, hint=f"there is {listed(blocks)}")]
+        )
+    near = nearest(wanted, blocks)
+    hint = f"did you mean `{near}`?" if near else f"there is {listed(blocks)}"
+    message = f"there is no function block `{wanted}`"
+    raise InputFault([Diagnostic(code="FCL423", message=message, places=places[:1], hint=hint)])

@@ -1,0 +1,88 @@
+"""Many evaluations over arrays, and the checks of what goes in (S37)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from fcl_sim.diagnostics import nearest
+from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.engine.entries import evaluate_many
+from fcl_sim.engine.program import Program
+
+Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """Outputs by name, and for each whether any rule was active; all of the inputs' common shape."""
+
+    outputs: Mapping[str, Values]
+    active: Mapping[str, NDArray[np.bool_]]
+
+
+def evaluate(
+    program: Program,
+    values: Mapping[str, ArrayLike],
+    previous: Mapping[str, ArrayLike] | None = None,
+    optional: frozenset[str] = frozenset(),
+) -> Evaluation:
+    """Evaluate at every point of the broadcast `values`, each without the memory of another.
+
+    `previous` gives outputs the values that NC keeps, else the initial ones.
+    Inputs named in `optional` may be missing: they keep their initial value.
+    Raises TypeError for a missing or unknown variable, ValueError for a value
+    that is not finite, with its first index.
+    """
+    inputs = by_declared_name(values, program.input_names, "input")
+    for name in program.input_names:
+        if name not in inputs and name not in optional:
+            raise TypeError(f"{program.name} needs a value for {name}")
+    former = by_declared_name(previous or {}, program.output_names, "output")
+    starts = program.initial
+    given = {**inputs, **former}
+    names = (*program.input_names, *program.output_names)
+    columns = [finite(name, given.get(name, starts[i])) for i, name in enumerate(names)]
+    spread = np.broadcast_arrays(*columns)
+    shape = spread[0].shape
+    stacked = np.stack([each.ravel() for each in spread], axis=1)
+    points = np.ascontiguousarray(stacked[:, : program.outputs_at])
+    outputs = np.ascontiguousarray(stacked[:, program.outputs_at :])
+    active = np.empty_like(outputs)
+    memory = program.initial.copy()
+    evaluate_many(program.ints, program.floats, memory, points, outputs, active, 0, len(points))
+    return Evaluation(
+        {name: outputs[:, i].reshape(shape) for i, name in enumerate(program.output_names)},
+        {name: active[:, i].reshape(shape) != 0.0 for i, name in enumerate(program.output_names)},
+    )
+
+
+def by_declared_name(
+    values: Mapping[str, ArrayLike], names: tuple[str, ...], kind: str
+) -> dict[str, ArrayLike]:
+    """Return `values` under the names as declared; letter case is ignored (S1)."""
+    return {declared_name(name, names, kind): value for name, value in values.items()}
+
+
+def declared_name(name: str, names: tuple[str, ...], kind: str) -> str:
+    """Return the declared name that `name` means; TypeError with the nearest where there is none."""
+    for each in names:
+        if each.casefold() == name.casefold():
+            return each
+    near = nearest(name, names)
+    hint = f"did you mean {near}?" if near else f"there is {listed(names)}" if names else "there is none"
+    raise TypeError(f"no {kind} {name}; {hint}")
+
+
+def finite(name: str, value: ArrayLike) -> Values:
+    """Return `value` as an array of finite numbers; ValueError names the variable and the first bad index."""
+    array = np.asarray(value, np.float64)
+    bad = ~np.isfinite(array)
+    if bad.any():
+        if array.ndim == 0:
+            raise ValueError(f"{name} is {array[()]}")
+        index = tuple(int(axis) for axis in np.argwhere(bad)[0])
+        shown = str(index[0]) if len(index) == 1 else str(index)
+        raise ValueError(f"{name} is {array[index]} at index {shown}")
+    return array

@@ -1,0 +1,90 @@
+"""An explanation as text, in the order and the words of A.2.1 to A.2.4."""
+
+from collections.abc import Iterator
+
+from fcl_sim.engine.explain import Accumulated, Activated, Defuzzified, Explanation, Origin
+from fcl_sim.engine.words import number
+
+
+def explanation_text(explanation: Explanation) -> str:
+    """Return an explanation as lines of plain text; numbers have four digits."""
+    return "\n".join(
+        [
+            f"FUNCTION_BLOCK {explanation.name}",
+            *_fuzzification(explanation),
+            *_aggregation(explanation),
+            *_activation(explanation),
+            *_accumulation(explanation),
+            *_defuzzification(explanation),
+        ]
+    )
+
+
+def _fuzzification(explanation: Explanation) -> Iterator[str]:
+    yield ""
+    yield "Fuzzification"
+    for each in explanation.fuzzified:
+        yield f"  {each.variable} = {number(each.value)}"
+        width = max(len(degree.term) for degree in each.degrees)
+        yield from (f"    {degree.term:{width}}  {number(degree.degree)}" for degree in each.degrees)
+    for brought in explanation.brought:
+        clamped = f", taken as {number(brought.degree)}" if brought.degree != brought.value else ""
+        yield f"  {brought.variable} = {number(brought.value)}{clamped}"
+
+
+def _aggregation(explanation: Explanation) -> Iterator[str]:
+    yield ""
+    yield "Aggregation"
+    width = max((len(each.rule) for each in explanation.aggregated), default=0)
+    for each in explanation.aggregated:
+        formula = "" if each.formula == number(each.degree) else f"{each.formula} = "
+        yield f"  RULE {each.rule:{width}}  {formula}{number(each.degree)}"
+        yield f"       {'':{width}}  IF {each.condition}"
+
+
+def _activation(explanation: Explanation) -> Iterator[str]:
+    yield ""
+    yield "Activation"
+    active = [each for each in explanation.activated if each.degree > 0.0]
+    width = max((len(each.rule) for each in active), default=0)
+    yield from (f"  RULE {each.rule:{width}}  {_activated(each)}" for each in active)
+    quiet = [each.rule for each in explanation.aggregated if each.degree == 0.0]
+    if quiet:
+        yield f"  not fired: {', '.join(quiet)}"
+
+
+def _activated(each: Activated) -> str:
+    weighted = f"{number(each.activated)} · WITH {number(each.weight)} = " if each.weight != 1.0 else ""
+    return f"{each.variable} IS {each.term}: {weighted}{number(each.degree)}"
+
+
+def _accumulation(explanation: Explanation) -> Iterator[str]:
+    yield ""
+    yield "Accumulation"
+    for each in explanation.accumulated:
+        algorithm = ", then MAX over the rule blocks" if len(each.algorithms) > 1 else ""
+        yield f"  {each.variable} ({' and '.join(each.algorithms)}{algorithm})"
+        width = max(len(degree.term) for degree in each.degrees)
+        yield from (f"    {degree.term:{width}}  {number(degree.degree)}" for degree in each.degrees)
+
+
+def _defuzzification(explanation: Explanation) -> Iterator[str]:
+    yield ""
+    yield "Defuzzification"
+    for accumulated, each in zip(explanation.accumulated, explanation.defuzzified, strict=True):
+        yield f"  {each.variable} = {_result(each, accumulated)}"
+
+
+def _result(each: Defuzzified, accumulated: Accumulated) -> str:
+    if each.origin is Origin.DEFAULT:
+        return f"{number(each.value)}: no rule is active, DEFAULT"
+    if each.origin is Origin.PREVIOUS:
+        return f"{number(each.value)}: no rule is active, NC keeps the previous value"
+    pairs = [
+        (place, degree.degree)
+        for place, degree in zip(each.places, accumulated.degrees, strict=True)
+        if degree.degree > 0.0
+    ]
+    moments = " + ".join(f"{number(place)} · {number(degree)}" for place, degree in pairs)
+    degrees = " + ".join(number(degree) for _, degree in pairs)
+    return f"({moments}) / ({degrees}) = {number(each.value)}  ({each.method})"

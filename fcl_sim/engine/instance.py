@@ -1,0 +1,107 @@
+"""An instance of a function block, called as IEC 61131-3 calls one."""
+
+from math import isfinite
+from typing import Any, cast
+
+from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.evaluate import declared_name
+from fcl_sim.engine.explain import Explanation, explain
+from fcl_sim.engine.program import Program
+from fcl_sim.model import FunctionBlock
+
+
+class Instance:
+    """A function block with its memory.
+
+    Call it with inputs by name; those not given keep their last value, at
+    first the declared initial one, else 0. Read outputs as attributes. With NC
+    an output keeps its previous value while no rule is active.
+    """
+
+    __slots__ = ("_block", "_memory", "_places", "_program", "_run", "_words")
+
+    def __init__(self, block: FunctionBlock, program: Program) -> None:
+        self._block = block
+        self._program = program
+        self._memory = program.initial.copy()
+        self._words = cast("memoryview[float]", self._memory.data)  # read and written faster than an array
+        self._places = {name: place for place, name in enumerate(program.input_names)}
+        self._run = evaluate_one.compile()
+
+    def __call__(self, **inputs: float) -> None:
+        """Evaluate once.
+
+        Raises TypeError for an unknown input, ValueError for one that is not
+        finite (S37); the instance is then as it was before.
+        """
+        written = [(self._place(name), _finite(name, value)) for name, value in inputs.items()]
+        for place, value in written:
+            self._words[place] = value
+        self._run(self._program.ints, self._program.floats, self._memory)
+
+    def __getattr__(self, name: str) -> float:
+        """Return the value of the output `name`."""
+        names = self._program.output_names
+        try:
+            place = names.index(name) if name in names else names.index(declared_name(name, names, "output"))
+        except TypeError as unknown:
+            raise AttributeError(str(unknown), name=name, obj=self) from None
+        return self._words[self._program.outputs_at + place]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._program.output_names]
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={value:g}" for name, value in (self.inputs | self.outputs).items())
+        return f"<instance of {self._program.name}: {values}>"
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Current values of the inputs."""
+        return self._stretch(0, self._program.input_names)
+
+    @property
+    def outputs(self) -> dict[str, float]:
+        """Current values of the outputs."""
+        return self._stretch(self._program.outputs_at, self._program.output_names)
+
+    @property
+    def active(self) -> dict[str, bool]:
+        """Whether any rule was active for each output at the last call."""
+        flags = self._stretch(self._program.active_at, self._program.output_names)
+        return {name: flag != 0.0 for name, flag in flags.items()}
+
+    @property
+    def degrees(self) -> dict[str, float]:
+        """Degree of firing of each rule at the last call."""
+        return self._stretch(self._program.degrees_at, self._program.rule_labels)
+
+    def explain(self, **inputs: float) -> Explanation:
+        """Return what a call with `inputs` would do, step by step; the instance stays as it is."""
+        memory = self._memory.copy()
+        for name, value in inputs.items():
+            memory[self._place(name)] = _finite(name, value)
+        return explain(self._block, self._program, memory)
+
+    def reset(self) -> None:
+        """Set inputs and outputs to their initial values, as a cold restart does."""
+        self._memory[:] = self._program.initial
+
+    def _place(self, name: str) -> int:
+        place = self._places.get(name)
+        if place is None:
+            place = self._places[declared_name(name, self._program.input_names, "input")]
+        return place
+
+    def _stretch(self, start: int, names: tuple[str, ...]) -> dict[str, float]:
+        return dict(zip(names, self._words[start : start + len(names)].tolist(), strict=True))
+
+
+def _finite(name: str, value: Any) -> float:
+    try:
+        usable = isfinite(value)
+    except TypeError:
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}") from None
+    if not usable:
+        raise ValueError(f"{name} is {value}")
+    return float(value)

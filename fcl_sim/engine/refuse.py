@@ -1,0 +1,116 @@
+"""What the model can say and this engine cannot evaluate: FCL4xx."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span
+from fcl_sim.engine.conditions import leaves
+from fcl_sim.model import (
+    Conclusion,
+    Defuzzification,
+    FunctionBlock,
+    Fuzzification,
+    Method,
+    Point,
+    Points,
+    Rule,
+    Singleton,
+    Term,
+)
+
+LARGEST = 1e300
+"""Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
+
+HINTS = {
+    "FCL401": "this version defuzzifies singletons: TERM name := number; METHOD : CoGS;",
+    "FCL402": "this version defuzzifies singletons by METHOD : CoGS;",
+    "FCL403": "give the abscissa as a number",
+    "FCL404": "give the singleton as a number",
+    "FCL405": "conclude on a term: variable IS term",
+    "FCL406": "use terms and degrees of input variables",
+    "FCL407": "keep magnitudes, and slopes of membership functions, below 1e300",
+}
+
+Finding = tuple[str, str, Span | None]
+"""Code, message and place; those with one message become one diagnostic."""
+
+
+def refuse(block: FunctionBlock) -> None:
+    """Raise InputFault with everything in `block` that cannot be evaluated."""
+    found: dict[tuple[str, str], list[Place]] = {}
+    for code, message, span in _findings(block):
+        places = found.setdefault((code, message), [])
+        if span is not None:
+            places.append(Place(span))
+    if found:
+        raise InputFault(
+            Diagnostic(code=code, message=message, places=tuple(places), hint=HINTS[code])
+            for (code, message), places in found.items()
+        )
+
+
+def _findings(block: FunctionBlock) -> Iterator[Finding]:
+    for fuzzification in block.fuzzifications:
+        for term in fuzzification.terms:
+            yield from _input_term(fuzzification, term)
+    for defuzzification in block.defuzzifications:
+        yield from _output(defuzzification)
+    inputs = {variable.name.casefold() for variable in block.inputs}
+    outputs = {defuzzification.variable.casefold() for defuzzification in block.defuzzifications}
+    for rule_block in block.rule_blocks:
+        for rule in rule_block.rules:
+            yield from _condition(rule, inputs)
+            for conclusion in rule.conclusions:
+                yield from _conclusion(conclusion, outputs)
+
+
+def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
+    name = fuzzification.variable
+    if not isinstance(term.shape, Points):
+        raise TypeError(f"{name} IS {term.name}: an input's term has base points")
+    points = term.shape.points
+    if any(isinstance(point.x, str) for point in points):
+        yield "FCL403", f"base points of `{name}` are moved by a variable; not evaluated yet", term.span
+    elif not all(_holds(left, right) for left, right in pairwise((points[0], *points))):
+        yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
+
+
+def _holds(left: Point, right: Point) -> bool:
+    """Return whether a stretch between two points, and its slope, are safely finite."""
+    start, end = float(left.x), float(right.x)
+    steep = start != end and abs(right.degree - left.degree) > LARGEST * (end - start)
+    return max(abs(start), abs(end)) < LARGEST and not steep
+
+
+def _output(output: Defuzzification) -> Iterator[Finding]:
+    name = output.variable
+    for term in output.terms:
+        if not isinstance(term.shape, Singleton):
+            yield "FCL401", f"terms of `{name}` have areas; not evaluated yet", term.span
+        elif isinstance(term.shape.value, str):
+            yield "FCL404", f"singletons of `{name}` are moved by a variable; not evaluated yet", term.span
+        elif not abs(term.shape.value) < LARGEST:
+            yield "FCL407", f"singletons of `{name}` exceed what binary64 can carry", term.span
+    singletons = all(isinstance(term.shape, Singleton) for term in output.terms)
+    if singletons and output.method not in {Method.COGS, Method.COG}:
+        message = f"METHOD {output.method} of `{name}`, whose terms are singletons, is not evaluated yet"
+        yield "FCL402", message, output.span
+
+
+def _condition(rule: Rule, inputs: set[str]) -> Iterator[Finding]:
+    for leaf in leaves(rule.condition):
+        if leaf.variable not in inputs:
+            message = f"`{leaf.variable}` in a condition is not an input; not evaluated yet"
+            yield "FCL406", message, leaf.span or rule.span
+
+
+def _conclusion(conclusion: Conclusion, outputs: set[str]) -> Iterator[Finding]:
+    if conclusion.term is None:
+        yield (
+            "FCL405",
+            f"`{conclusion.variable}` is given out as a degree; not evaluated yet",
+            conclusion.span,
+        )
+    elif conclusion.variable.casefold() not in outputs:
+        message = f"the local variable `{conclusion.variable}` is concluded on; not evaluated yet"
+        yield "FCL405", message, conclusion.span

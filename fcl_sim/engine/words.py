@@ -1,0 +1,42 @@
+"""Conditions in words, and as the formula that their operators make."""
+
+from collections.abc import Callable
+
+from fcl_sim.model import And, Condition, Degree, Is, Not, Or, RuleBlock
+
+OR_LEVEL, AND_LEVEL, NOT_LEVEL = range(3)
+"""Table 6: how tightly an operator binds."""
+
+
+def number(value: float) -> str:
+    """Return a number as people read it: four significant digits."""
+    return f"{value + 0.0:.4g}"
+
+
+def condition_text(condition: Condition, level: int = OR_LEVEL) -> str:
+    """Return a condition in FCL, with parentheses only where Table 6 needs them."""
+    if isinstance(condition, Is):
+        return f"{condition.variable} IS {condition.term}"
+    if isinstance(condition, Degree):
+        return condition.variable
+    if isinstance(condition, Not):
+        argument = condition.argument
+        if isinstance(argument, Is):
+            return f"{argument.variable} IS NOT {argument.term}"
+        return f"NOT {condition_text(argument, NOT_LEVEL)}"
+    own, word = (AND_LEVEL, " AND ") if isinstance(condition, And) else (OR_LEVEL, " OR ")
+    text = word.join(condition_text(argument, own + 1) for argument in condition.arguments)
+    return f"({text})" if own < level else text
+
+
+def condition_formula(
+    condition: Condition, operators: RuleBlock, degree_of: Callable[[Condition], float]
+) -> str:
+    """Return a condition as the formula of its degrees, such as `MIN(0.8333, 0.8)`."""
+    if isinstance(condition, And | Or):
+        operator = operators.and_operator if isinstance(condition, And) else operators.or_operator
+        inner = ", ".join(condition_formula(each, operators, degree_of) for each in condition.arguments)
+        return f"{operator}({inner})"
+    if isinstance(condition, Not) and not isinstance(condition.argument, Is | Degree):
+        return f"1 - {condition_formula(condition.argument, operators, degree_of)}"
+    return number(degree_of(condition))
