@@ -2,7 +2,7 @@
 
 In: texts and files. Out: `Reading`, the model's FunctionBlocks and every finding with its place.
 Each stage is a function (`scan`, `parse`, `resolve`) and its product can be shown (`show`).
-Imports model and diagnostics only; never the engine. How open points are read: SEMANTICS, S1 to S35.
+Imports model and diagnostics only; never the engine. The grammar stands in the parse functions.
 Tests: tests/fcl.
 """
 

@@ -53,13 +53,21 @@ class Cursor:
         else:
             raise self.stray(f"`{key}` is expected after {after}")
 
-    def name(self, what: str, follow: frozenset[str] = frozenset()) -> Token:
-        """Take a name; a keyword counts as one where `follow` shows that no keyword can stand here."""
+    def name(self, what: str, follow: frozenset[str] = frozenset(), *, begins: bool = False) -> Token:
+        """Take a name; a keyword counts as one where `follow` shows that no keyword can stand here.
+
+        `begins` says that a statement begins with it.
+        """
         token = self.token
         if token.kind is Kind.NAME and (token.key not in STRUCTURAL or self.ahead().key in follow):
             return self.advance()
-        hint = "a name begins with a letter or an underscore" if token.kind is Kind.MIXED else ""
-        raise self.stray(f"{what} is expected", hint=hint, code="FCL209")
+        message = f"{what} is expected"
+        if token.kind is Kind.MIXED:
+            hint = "a name begins with a letter or an underscore"
+            raise self.refuse("FCL209", f"{message}, not {token.shown}", token, hint)
+        if begins and token.kind not in {Kind.STRAY, Kind.END}:
+            raise self.refuse("FCL209", f"{message}, not {token.shown}", token)
+        raise self.stray(message, code="FCL209")
 
     # -- what is wrong
 
@@ -98,6 +106,10 @@ class Cursor:
         return Stretch(start, self.last.end)
 
     # -- where to go on
+
+    def at_early_end(self) -> bool:
+        """Return whether the text ends here, and not with an END."""
+        return self.token.kind is Kind.END and not self.last.key.startswith("END")
 
     def at_statement(self) -> bool:
         """Return whether a new statement or section begins here, whatever was being read."""

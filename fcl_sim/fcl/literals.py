@@ -81,5 +81,5 @@ def _advice(text: str) -> str:
     if text.count(".") > 1:
         return "a number has one decimal point"
     if text[:1].isdigit():
-        return "a name begins with a letter or an underscore"
+        return "a number has no unit and no letters"
     return ""

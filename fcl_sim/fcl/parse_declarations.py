@@ -36,11 +36,9 @@ def declarations(cursor: Cursor) -> Declarations:
             variables += _declaration(cursor)
         except Astray:
             damaged = True
-            _skip(cursor)
             cursor.leave(before)
-    return Declarations(
-        opening=opening, variables=tuple(variables), damaged=damaged or cursor.token.kind is Kind.END
-    )
+            _skip(cursor)
+    return Declarations(opening=opening, variables=tuple(variables), damaged=damaged or cursor.at_early_end())
 
 
 def _qualifier(cursor: Cursor) -> None:
@@ -57,7 +55,7 @@ def _is_declared(cursor: Cursor) -> bool:
 
 def _declaration(cursor: Cursor) -> list[Declaration]:
     """Read `declaration ::= variable_name {',' variable_name} ':' data_type [':=' constant] ';'`."""
-    names = [cursor.name("the name of a variable", _AFTER_NAME)]
+    names = [cursor.name("the name of a variable", _AFTER_NAME, begins=True)]
     while cursor.take(","):
         names.append(cursor.name("the name of a variable", _AFTER_NAME))
     type_name: Token | None = None

@@ -1,6 +1,7 @@
 """RULEBLOCK and its rules (5.2.4)."""
 
 from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
+from fcl_sim.fcl.findings import Spanned, Stretch
 from fcl_sim.fcl.parse_conditions import condition
 from fcl_sim.fcl.parse_values import value
 from fcl_sim.fcl.parse_variables import choice
@@ -58,13 +59,14 @@ def _rule(cursor: Cursor, number: int) -> Rule:
     joined = is_joined_rule(cursor.token, cursor.ahead())
     keyword = cursor.advance()
     label = keyword.text[len("RULE") :].lstrip("_") if joined else _label(cursor, keyword)
+    heading_end = cursor.last.end
     if cursor.token.key == "IF":
         cursor.report("`:` is expected after the label of the rule")
     else:
         cursor.expect(":", "the label of the rule", instead=(":=", ";", ".", ","))
     if not cursor.take("IF"):
         raise cursor.stray("IF is expected after the label of the rule")
-    return _body(cursor, keyword.start, label or str(number))
+    return _body(cursor, Stretch(keyword.start, heading_end), label or str(number))
 
 
 def _label(cursor: Cursor, keyword: Token) -> str:
@@ -82,18 +84,25 @@ def _label(cursor: Cursor, keyword: Token) -> str:
 def _bare_rule(cursor: Cursor, number: int) -> Rule:
     token = cursor.advance()
     cursor.findings.error("FCL213", "a rule begins with RULE and a label", token, hint="write `RULE 1: IF …`")
-    return _body(cursor, token.start, str(number))
+    return _body(cursor, token, str(number))
 
 
-def _body(cursor: Cursor, start: int, label: str) -> Rule:
-    """Read what follows IF."""
+def _body(cursor: Cursor, heading: Spanned, label: str) -> Rule:
+    """Read what follows IF; `heading` is what stands before the colon."""
     rule_condition = condition(cursor)
     if not cursor.take("THEN"):
         raise cursor.stray("AND, OR or THEN is expected after a subcondition", lambda: _advice(cursor))
     conclusions = conclusion(cursor)
     end = cursor.last.end
     cursor.end_statement()
-    return Rule(label=label, condition=rule_condition, conclusions=conclusions, start=start, end=end)
+    return Rule(
+        label=label,
+        condition=rule_condition,
+        conclusions=conclusions,
+        start=heading.start,
+        heading_end=heading.end,
+        end=end,
+    )
 
 
 def conclusion(cursor: Cursor) -> tuple[Conclusion, ...]:
@@ -105,7 +114,7 @@ def conclusion(cursor: Cursor) -> tuple[Conclusion, ...]:
     while True:
         token = cursor.token
         if token.key == "AND" and cursor.ahead().key != ":":
-            message = "subconclusions are joined by AND: the grammar wants a comma (S6)"
+            message = "subconclusions are joined by AND: the grammar wants a comma"
             cursor.findings.note("FCL214", message, token)
         elif token.key == "OR" and cursor.ahead().key != ":":
             hint = "write a comma, or two rules"
@@ -135,5 +144,7 @@ def subconclusion(cursor: Cursor) -> Conclusion:
 
 
 def _advice(cursor: Cursor) -> str:
+    if cursor.token.key == "XOR":
+        return "write (a AND NOT b) OR (NOT a AND b)"
     near = cursor.findings.near(cursor.token.key, ("AND", "OR", "THEN"))
     return f"did you mean {near}?" if near else ""

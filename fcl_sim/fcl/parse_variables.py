@@ -67,44 +67,56 @@ def choice(cursor: Cursor, what: str, also: tuple[str, ...] = ()) -> Setting:
     may follow without a semicolon (S10).
     """
     keyword = cursor.advance()
-    cursor.expect(":", keyword.key, instead=(":=", "="))
-    chosen = cursor.name(what, frozenset((";",)))
-    setting = Setting(keyword, chosen, keyword.start, chosen.end)
-    if cursor.token.key not in also:
-        cursor.end_statement()
-    return setting
+    try:
+        cursor.expect(":", keyword.key, instead=(":=", "="))
+        chosen = cursor.name(what, frozenset((";",)))
+        if cursor.token.key not in also:
+            cursor.end_statement()
+    except Astray:
+        return _unread(cursor, keyword)
+    return Setting(keyword, chosen)
 
 
 def default_value(cursor: Cursor) -> Setting:
     """Read `default_value ::= 'DEFAULT' ':=' (numeric_literal | 'NC') ';'` (5.4.1)."""
     keyword = cursor.advance()
-    cursor.expect(":=", "DEFAULT", instead=(":", "="))
-    chosen = cursor.advance() if cursor.token.kind is Kind.NAME else number(cursor, "a number or NC")
-    if isinstance(chosen, Token) and chosen.key != "NC":
-        _refuse_default(cursor, chosen)
-    cursor.end_statement()
-    return Setting(keyword, chosen, keyword.start, chosen.end)
+    try:
+        cursor.expect(":=", "DEFAULT", instead=(":", "="))
+        chosen = cursor.advance() if cursor.token.kind is Kind.NAME else number(cursor, "a number or NC")
+        if isinstance(chosen, Token) and chosen.key != "NC":
+            raise _refused_default(cursor, chosen)
+        cursor.end_statement()
+    except Astray:
+        return _unread(cursor, keyword)
+    return Setting(keyword, chosen)
 
 
 def output_range(cursor: Cursor) -> Setting:
     """Read `range ::= 'RANGE' [':='] '(' numeric_literal '..' numeric_literal ')' ';'` (5.2.3, 5.4.1, S3)."""
     keyword = cursor.advance()
-    if cursor.token.key != "(":
-        cursor.expect(":=", "RANGE", instead=(":", "="))
-    cursor.expect("(", "RANGE")
-    low = number(cursor, "the lower limit of the range, a number,")
-    cursor.expect("..", "the lower limit", instead=(",",))
-    high = number(cursor, "the upper limit of the range, a number,")
-    cursor.expect(")", "the upper limit")
-    setting = Setting(keyword, Range(low, high), keyword.start, cursor.last.end)
-    cursor.end_statement()
-    return setting
+    try:
+        if cursor.token.key != "(":
+            cursor.expect(":=", "RANGE", instead=(":", "="))
+        cursor.expect("(", "RANGE")
+        low = number(cursor, "the lower limit of the range, a number,")
+        cursor.expect("..", "the lower limit", instead=(",",))
+        high = number(cursor, "the upper limit of the range, a number,")
+        cursor.expect(")", "the upper limit")
+        cursor.end_statement()
+    except Astray:
+        return _unread(cursor, keyword)
+    return Setting(keyword, Range(low, high))
 
 
-def _refuse_default(cursor: Cursor, chosen: Token) -> None:
+def _unread(cursor: Cursor, keyword: Token) -> Setting:
+    cursor.skip_statement()
+    return Setting(keyword, None)
+
+
+def _refused_default(cursor: Cursor, chosen: Token) -> Astray:
     if chosen.key == "NAN":
-        raise cursor.refuse("FCL290", "NaN as a default value is not read by this version", chosen)
-    raise cursor.refuse("FCL201", f"a number or NC is expected after DEFAULT, not {chosen.shown}", chosen)
+        return cursor.refuse("FCL290", "NaN as a default value is not read by this version", chosen)
+    return cursor.refuse("FCL201", f"a number or NC is expected after DEFAULT, not {chosen.shown}", chosen)
 
 
 def _refuse_range(cursor: Cursor) -> None:

@@ -114,7 +114,7 @@ def _heading(cursor: Cursor, opening: Token) -> Heading | None:
         words += 1
     heading = Heading(cursor.source.text[first.start : cursor.last.end], first.start, cursor.last.end)
     if words > 1 or first.kind is not Kind.NAME:
-        message = "the function block's name is not an identifier (Open Level, S17)"
+        message = "the function block's name is not an identifier (Open Level)"
         cursor.findings.note("FCL221", message, heading)
     return heading
 
@@ -143,7 +143,8 @@ def _pass_over(cursor: Cursor, *, first: bool) -> Span:
         message = f"{token.key} stands behind END_FUNCTION_BLOCK and belongs to no function block"
         cursor.findings.error("FCL211", message, token)
     elif first and cursor.token.kind is not Kind.END:
-        cursor.findings.error("FCL211", "a text begins with FUNCTION_BLOCK", token)
+        hint = "text that is not FCL stands in comments: (* … *)"
+        cursor.findings.error("FCL211", "this stands before FUNCTION_BLOCK", token, hint)
     elif not first and token.kind is not Kind.STRAY:
         cursor.findings.warning("FCL210", "text behind END_FUNCTION_BLOCK is passed over", token)
     return cursor.findings.span(stretch)

@@ -51,7 +51,7 @@ def _is(scope: Scope, condition: tree.Is) -> Condition | None:
     term = scope.find_term(declared, terms, condition.term)
     if declared.role is Role.OUTPUT:
         _require_concluded(scope, declared, condition.variable)
-        message = f"`{declared.name}` is an output: what the rules above have accumulated counts here (S27a)"
+        message = f"`{declared.name}` is an output: what the rules above have accumulated counts here"
         scope.findings.warning("FCL351", message, condition)
     if term is None:
         return None
@@ -97,7 +97,7 @@ def _degree(scope: Scope, token: Token) -> Condition | None:
     has_terms = token.key in scope.terms
     if declared.role is Role.INPUT:
         if has_terms:
-            message = f"`{name}` has terms but stands here without IS: its value is taken as a degree (S27)"
+            message = f"`{name}` has terms but stands here without IS: its value is taken as a degree"
             scope.findings.warning("FCL349", message, token)
     elif has_terms:
         message = f"`{name}` is a number and not a degree of membership"

@@ -1,6 +1,5 @@
 """Declarations → variables of the model (5.2.1)."""
 
-from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.fcl.scope import Declared, Role, Scope
 from fcl_sim.fcl.tokens import Token
 from fcl_sim.fcl.tree import Declaration, Declarations, Number
@@ -17,6 +16,9 @@ _WIDTHS = {
     DataType.ULINT: 64,
 }
 """Bits of the integer types (IEC 61131-3, Table 10)."""
+
+_OTHERS = {"FLOAT": "REAL", "DOUBLE": "LREAL", "INTEGER": "INT", "BOOLEAN": "BOOL"}
+"""What other languages call them."""
 
 
 def resolve_declarations(scope: Scope, section: Declarations, *, types: bool) -> None:
@@ -53,8 +55,8 @@ def _report_type(scope: Scope, token: Token) -> None:
     known = [each.value for each in DataType]
 
     def hint() -> str:
-        near = scope.findings.near(token.key, known)
-        return f"did you mean {near}?" if near else f"numbers have the types {', '.join(known)}"
+        near = _OTHERS.get(token.key) or scope.findings.near(token.key, known)
+        return f"did you mean {near}?" if near else f"the types of numbers are {', '.join(known)}"
 
     scope.findings.error("FCL305", f"{token.shown} is not a data type of a number", token, hint)
 
@@ -64,17 +66,19 @@ def _initial(scope: Scope, data_type: DataType, number: Number) -> float | None:
     if limits is None:
         if number.type != DataType.BOOL:
             return number.value
-        scope.findings.error("FCL306", f"a truth value cannot be the initial value of a {data_type}", number)
+        message = f"a truth value cannot be the initial value of a variable of type {data_type}"
+        scope.findings.error("FCL306", message, number)
         return None
     if number.value.is_integer() and limits[0] <= number.value <= limits[1]:
         return number.value
-    ends = (
-        listed(str(each) for each in limits) if data_type is DataType.BOOL else f"{limits[0]} to {limits[1]}"
-    )
     shown = scope.findings.span(number).text
-    scope.findings.error(
-        "FCL306", f"`{shown}` is not a {data_type}", number, hint=f"a {data_type} is a whole number, {ends}"
+    held = (
+        "0, 1, FALSE or TRUE"
+        if data_type is DataType.BOOL
+        else f"whole numbers from {limits[0]} to {limits[1]}"
     )
+    message = f"`{shown}` cannot be the initial value of a variable of type {data_type}"
+    scope.findings.error("FCL306", message, number, hint=f"{data_type} holds {held}")
     return None
 
 

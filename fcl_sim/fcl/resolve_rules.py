@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from fcl_sim.fcl.findings import Stretch
 from fcl_sim.fcl.resolve_conditions import resolve_condition
 from fcl_sim.fcl.resolve_settings import algorithm, settings_by_key
 from fcl_sim.fcl.scope import Declared, Role, Scope
@@ -69,7 +70,7 @@ def _operators(scope: Scope, settings: Mapping[str, Setting]) -> tuple[AndOperat
         scope.findings.warning(
             "FCL342",
             f"AND by {chosen_and} and OR by {chosen_or} are no pair: de Morgan's law does not hold",
-            and_setting,
+            and_setting.keyword,
             hint=f"the pair of {chosen_and} is {_PAIRS[chosen_and]} (Table 3)",
         )
     return and_operator, or_operator
@@ -82,9 +83,9 @@ def _check_labels(scope: Scope, rules: Sequence[Rule]) -> None:
         if first is not rule:
             scope.findings.warning(
                 "FCL340",
-                f"another rule of this block has the label {rule.label}: both count (S5)",
-                rule,
-                related=(scope.findings.place(first, "first here"),),
+                f"another rule of this block has the label {rule.label}: both count",
+                Stretch(rule.start, rule.heading_end),
+                related=(scope.findings.place(Stretch(first.start, first.heading_end), "first here"),),
             )
 
 
@@ -146,5 +147,5 @@ def _note_weight(scope: Scope, conclusions: Sequence[Conclusion]) -> None:
     """Say whose weight it is where one could take it for the whole rule's (S12)."""
     *others, last = conclusions
     if others and last.weight is not None and all(each.weight is None for each in others):
-        message = "WITH belongs to the last subconclusion alone (S12)"
+        message = "WITH belongs to the last subconclusion alone"
         scope.findings.note("FCL344", message, last, hint="repeat it for each subconclusion it is meant for")

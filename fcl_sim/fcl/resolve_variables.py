@@ -3,8 +3,7 @@
 from fcl_sim.fcl.resolve_settings import algorithm, settings_by_key
 from fcl_sim.fcl.resolve_terms import resolve_terms
 from fcl_sim.fcl.scope import Declared, Role, Scope, Terms
-from fcl_sim.fcl.tokens import Token
-from fcl_sim.fcl.tree import Defuzzify, Fuzzify, Range, Setting
+from fcl_sim.fcl.tree import Defuzzify, Fuzzify, Number, Range, Setting
 from fcl_sim.model import Defuzzification, Fuzzification, Method, Singleton
 from fcl_sim.model import Term as ModelTerm
 
@@ -32,10 +31,9 @@ def resolve_defuzzify(scope: Scope, section: Defuzzify) -> Defuzzification | Non
     method = _method(scope, section, settings.get("METHOD"), resolved)
     default = _default(scope, section, settings.get("DEFAULT"))
     if "RANGE" not in settings and not section.damaged and _areas(resolved):
-        message = (
-            f"{_title(section)} has terms with an area but no RANGE: the hull of their points is taken (S32)"
-        )
-        scope.findings.warning("FCL336", message, section.variable or section.opening)
+        message = f"{_title(section)} has terms with an area but no RANGE: the hull of their points is taken"
+        hint = "write `RANGE := (minimum .. maximum);`"
+        scope.findings.warning("FCL336", message, section.variable or section.opening, hint)
     if declared is None or section.variable is None:
         return None
     _require_terms(scope, section)
@@ -58,10 +56,9 @@ def _owner(scope: Scope, section: Fuzzify | Defuzzify, role: Role) -> Declared |
         scope.headless = True
         return None
     declared = scope.find(section.variable)
-    if declared is None:
+    if declared is None or declared.role is not role:
         scope.headless = True
-        return None
-    if declared.role is not role:
+    if declared is not None and declared.role is not role:
         what = "an input" if role is Role.INPUT else "an output"
         section_name = declared.role.value
         scope.findings.error(
@@ -70,6 +67,7 @@ def _owner(scope: Scope, section: Fuzzify | Defuzzify, role: Role) -> Declared |
             section.variable,
             related=(scope.findings.place(declared.token, "declared here"),),
         )
+        return None
     return declared
 
 
@@ -108,7 +106,7 @@ def _method(
             "FCL332",
             f"{_title(section)} mixes singletons with terms that have an area",
             section.variable or section.opening,
-            hint="give every term points, or every term a single value (S35)",
+            hint="give every term points, or every term a single value",
         )
         return fitting
     if setting is None:
@@ -118,6 +116,7 @@ def _method(
                 "FCL334",
                 f"{_title(section)} has no METHOD: {fitting} is taken, since {reason}",
                 section.variable or section.opening,
+                hint=f"write `METHOD: {fitting};`",
             )
         return fitting
     chosen = algorithm(scope, setting, Method, "a method of defuzzification")
@@ -128,7 +127,7 @@ def _method(
 
 def _suited(scope: Scope, setting: Setting, chosen: Method, fitting: Method) -> Method:
     """Refuse a method that the terms do not allow (S35)."""
-    at = setting.value
+    at = setting.value or setting.keyword
     if chosen is Method.COG and fitting is Method.COGS:
         scope.findings.note("FCL338", "CoG of singletons alone is CoGS", at)
         return Method.COGS
@@ -153,11 +152,10 @@ def _default(scope: Scope, section: Defuzzify, setting: Setting | None) -> float
     if setting is None:
         if not section.damaged:
             message = f"{_title(section)} has no DEFAULT: NC is taken, no change while no rule is active"
-            scope.findings.warning("FCL335", message, section.variable or section.opening)
+            hint = "write `DEFAULT := NC;` or a number"
+            scope.findings.warning("FCL335", message, section.variable or section.opening, hint)
         return None
-    if isinstance(setting.value, Token | Range):
-        return None
-    return setting.value.value
+    return setting.value.value if isinstance(setting.value, Number) else None
 
 
 def _range(scope: Scope, setting: Setting | None) -> tuple[float, float] | None:
@@ -168,5 +166,5 @@ def _range(scope: Scope, setting: Setting | None) -> tuple[float, float] | None:
         return low.value, high.value
     spans = scope.findings.span(low), scope.findings.span(high)
     message = f"the range is empty: {spans[0].text} is not below {spans[1].text}"
-    scope.findings.error("FCL337", message, setting)
+    scope.findings.error("FCL337", message, setting.value)
     return None

@@ -91,7 +91,7 @@ def _check_accumulation(scope: Scope, rule_blocks: list[ModelRuleBlock]) -> None
             scope.findings.warning(
                 "FCL354",
                 f"rule blocks with different ACCU conclude on `{output.name}`: each accumulates by its own, "
-                "and MAX joins them (S26)",
+                "and MAX joins them",
                 output.token,
             )
 

@@ -108,7 +108,7 @@ def _unclosed(findings: Findings, text: str, start: int) -> Token:
 
 def _report_stray(findings: Findings, token: Token) -> None:
     if token.text == "*)":
-        hint = "comments cannot be nested (S13)"
+        hint = "comments cannot be nested"
         findings.error("FCL111", "a comment ends here that does not begin anywhere", token, hint)
         return
     hint = _INSTEAD.get(token.text, "")

@@ -47,9 +47,9 @@ def statements(
             reader(cursor)
         except Astray:
             damaged = True
-            cursor.skip_statement()
             cursor.leave(before)
-    return damaged or cursor.token.kind is Kind.END
+            cursor.skip_statement()
+    return damaged or cursor.at_early_end()
 
 
 def closes(
@@ -83,17 +83,14 @@ def closes(
 def report_unclosed(cursor: Cursor, opening: Token, end: str) -> None:
     """Say that `end` is missing before the next token; the end of the text is said once."""
     token = cursor.token
-    if token.kind is Kind.END:
-        if cursor.ended or cursor.last.kind is Kind.STRAY:
-            return
+    if token.kind is not Kind.END:
+        message = f"{opening.key} is not closed"
+        before = cursor.findings.place(token, f"{end} is expected before this")
+        cursor.findings.error("FCL202", message, opening, hint=f"write {end}", related=(before,))
+    elif not (cursor.ended or cursor.last.kind is Kind.STRAY):
         cursor.ended = True
-    cursor.findings.error(
-        "FCL202",
-        f"{opening.key} is not closed",
-        opening,
-        hint=f"write {end}",
-        related=(cursor.findings.place(token, f"{end} is expected before this"),) if token.text else (),
-    )
+        message = f"{opening.key} is not closed when the text ends"
+        cursor.findings.error("FCL202", message, opening, hint=f"write {end}")
 
 
 def _keyword(cursor: Cursor) -> str:

@@ -63,7 +63,7 @@ def _section(source: Source, section: tree.Section) -> Iterator[str]:
             yield f"OPTIONS, {len(section.text)} characters"
 
 
-def _words(source: Source, part: tree.Number | tree.Range | Token | tree.Pair | tree.Setting) -> str:
+def _words(source: Source, part: tree.Number | tree.Range | Token | tree.Pair) -> str:
     """Return a part of the text as it is written, on one line."""
     return " ".join(source.text[part.start : part.end].split())
 
@@ -77,7 +77,7 @@ def _shape(source: Source, shape: tuple[tree.Pair, ...] | tree.Value | None) -> 
 
 def _settings(source: Source, settings: tuple[tree.Setting, ...]) -> Iterator[str]:
     for each in settings:
-        yield f"{STEP}{each.keyword.key}: {_words(source, each.value)}"
+        yield f"{STEP}{each.keyword.key}: {_words(source, each.value) if each.value else '?'}"
 
 
 def _rule(source: Source, rule: tree.Rule) -> Iterator[str]:

@@ -81,12 +81,13 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """A choice by keyword: `METHOD: CoGS`, `DEFAULT := 0`, `RANGE := (0 .. 1)`, `AND: MIN`."""
+    """A choice by keyword: `METHOD: CoGS`, `DEFAULT := 0`, `RANGE := (0 .. 1)`, `AND: MIN`.
+
+    `value` is None where it could not be read.
+    """
 
     keyword: Token
-    value: Token | Number | Range
-    start: int
-    end: int
+    value: Token | Number | Range | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -178,12 +179,13 @@ class Conclusion:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rule:
-    """`RULE label: IF condition THEN conclusions;`."""
+    """`RULE label: IF condition THEN conclusions;`; its heading is what stands before the colon."""
 
     label: str
     condition: Condition
     conclusions: tuple[Conclusion, ...]
     start: int
+    heading_end: int
     end: int
 
 
