@@ -9,9 +9,9 @@ MOST_DIGITS = 17
 
 
 def number(value: float, unit: str = "", near: float | None = None) -> str:
-    """Return `value` to four digits with its unit; to more where `near` would look the same."""
+    """Return `value` to four digits with its unit; to more where it would seem on the wrong side of `near`."""
     digits = DIGITS
-    while near is not None and near != value and digits < MOST_DIGITS and _same(value, near, digits):
+    while near is not None and digits < MOST_DIGITS and not _in_place(value, near, digits):
         digits += 1
     return f"{_digits(value, digits)} {unit}".rstrip()
 
@@ -20,8 +20,9 @@ def _digits(value: float, digits: int) -> str:
     return short(float(f"{value:.{digits}g}"))
 
 
-def _same(value: float, near: float, digits: int) -> bool:
-    return float(f"{value:.{digits}g}") == float(f"{near:.{MOST_DIGITS}g}")
+def _in_place(value: float, near: float, digits: int) -> bool:
+    shown = float(f"{value:.{digits}g}")
+    return (shown < near, shown > near) == (value < near, value > near)
 
 
 def bound(requirement: Requirement) -> str:
