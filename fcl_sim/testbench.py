@@ -1,15 +1,25 @@
-"""The one sequence: read, check, bind, run, judge."""
+"""The one sequence: read, bind, wire, run, judge."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from types import MappingProxyType
+from typing import Any
 
-from fcl_sim.judge.verdict import Status, Verdict
+from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.judge.judge import judge
+from fcl_sim.judge.verdict import Requirement, Status, Verdict, worst
 from fcl_sim.loop.diagram import Diagram
+from fcl_sim.loop.run import run as simulate
 from fcl_sim.loop.trace import Trace
-from fcl_sim.scenario.model import Scenario
+from fcl_sim.loop.wiring import wire
+from fcl_sim.scenario.bench import bench_of
+from fcl_sim.scenario.binder import bind, check_inputs, requirements
+from fcl_sim.scenario.model import BASE, Scenario
+from fcl_sim.scenario.reader import read
 
-BASE = "base"
-"""The name of the run without a variant."""
+__all__ = ["BASE", "Outcome", "Prepared", "Run", "bench_of", "prepare", "run", "run_scenario"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,3 +62,71 @@ class Outcome:
     def metrics(self) -> Mapping[str, float | None]:
         """The base run's measured values, by requirement."""
         return self.base.metrics
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Prepared:
+    """A variant that is ready to run: everything that could be wrong with its texts was looked at."""
+
+    variant: str
+    title: str
+    diagram: Diagram
+    requirements: tuple[Requirement, ...]
+
+
+def run(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Outcome:
+    """Return what comes of a scenario file: every variant simulated and judged.
+
+    `overrides` by dotted key are laid over the file:
+    `{"plant.parameters.load_mass": "10 t"}`. InputFault carries every fault of
+    the scenario and the files it names, before anything is simulated.
+    """
+    return run_scenario(read(path, overrides))
+
+
+def run_scenario(scenario: Scenario) -> Outcome:
+    """Return what comes of a scenario that was read."""
+    runs = {each.variant: _run(each) for each in prepare(scenario)}
+    verdict = worst([each.verdict for each in runs.values()])
+    return Outcome(scenario=scenario, variants=MappingProxyType(runs), verdict=verdict)
+
+
+def prepare(scenario: Scenario) -> tuple[Prepared, ...]:
+    """Return every variant, bound and wired; InputFault with the faults of all, each once."""
+    prepared, faults = [], dict[Diagnostic, None]()
+    for variant in scenario.variants:
+        try:
+            prepared.append(_prepare(scenario, variant))
+        except InputFault as fault:
+            faults.update(dict.fromkeys(fault.diagnostics))
+    if faults:
+        raise InputFault(faults)
+    return tuple(prepared)
+
+
+def _prepare(scenario: Scenario, variant: str) -> Prepared:
+    diagram = bind(scenario, variant)
+    units = {name: unit.symbol for name, unit in wire(diagram).units.items()}
+    check_inputs(scenario, variant, units)
+    return Prepared(
+        variant=variant,
+        title=scenario.variants[variant].title,
+        diagram=diagram,
+        requirements=requirements(scenario, variant, units),
+    )
+
+
+def _run(prepared: Prepared) -> Run:
+    begun = perf_counter()
+    trace = simulate(prepared.diagram)
+    seconds = perf_counter() - begun
+    verdicts = judge(trace, prepared.requirements)
+    return Run(
+        variant=prepared.variant,
+        title=prepared.title,
+        diagram=prepared.diagram,
+        trace=trace,
+        verdicts=verdicts,
+        verdict=worst([each.status for each in verdicts]),
+        seconds=seconds,
+    )

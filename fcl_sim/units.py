@@ -177,7 +177,7 @@ def parse_unit(text: str) -> Unit:
 def _product(text: str, whole: str) -> Unit:
     words = text.replace("**", "^").replace("*", " ").replace("·", " ").split()
     if not words and whole.strip():
-        raise UnitError(f"{whole!r} is no unit: a symbol is missing", "write units as in m/s2 or kN s/m")
+        raise UnitError(f"`{whole}` is no unit: a symbol is missing", "write units as in m/s2 or kN s/m")
     unit = ONE
     for word in words:
         if word != "1":
@@ -188,7 +188,7 @@ def _product(text: str, whole: str) -> Unit:
 def _factor(word: str, whole: str) -> Unit:
     match = _FACTOR.fullmatch(word)
     if match is None:
-        raise UnitError(f"{whole!r} is no unit: {word!r} cannot be read", "write units as in m/s2 or kN s/m")
+        raise UnitError(f"`{whole}` is no unit: `{word}` cannot be read", "write units as in m/s2 or kN s/m")
     name, exponent = match[1], int(match[2] or 1)
     return _symbol(name) ** exponent
 
@@ -204,18 +204,18 @@ def _symbol(text: str) -> Unit:
     if base in PREFIXED and prefix in PREFIXES:
         scale, pi, dimension = SYMBOLS[base]
         return Unit(scale * PREFIXES[prefix], pi, dimension, ((name, 1),))
-    raise UnitError(f"there is no unit {text!r}", _hint(text))
+    raise UnitError(f"there is no unit `{text}`", _hint(text))
 
 
 def _hint(text: str) -> str:
     if text in OTHER_SPELLINGS:
-        return f"did you mean {OTHER_SPELLINGS[text]!r}?"
+        return f"did you mean `{OTHER_SPELLINGS[text]}`?"
     known = [*SYMBOLS, *(prefix + base for base in sorted(PREFIXED) for prefix in PREFIXES)]
     by_case = [each for each in known if each.casefold() == text.casefold()]
     near = by_case[0] if len(by_case) == 1 else nearest(text, known)
     if near is None:
         return "units are written as m, kg, s, min, N, kW, deg, K, degC, bar, %"
-    return f"did you mean {near!r}?"
+    return f"did you mean `{near}`?"
 
 
 @dataclass(frozen=True, slots=True)
@@ -273,13 +273,14 @@ def parse_quantity(given: str | float) -> Quantity:
         text = given
         match = _NUMBER.fullmatch(given)
         if match is None:
-            raise UnitError(f"{given!r} is no quantity", 'write a number and a unit, as in "50 ms"')
+            shown = f"`{given}`" if given.strip() else "an empty text"
+            raise UnitError(f"{shown} is no quantity", 'write a number and a unit, as in "50 ms"')
         value, rest = float(match[1]), match[2]
     if not math.isfinite(value):
-        raise UnitError(f"{text!r} is not a finite number")
+        raise UnitError(f"`{text}` is not a finite number")
     if re.match(r",\d", rest):
         mended = text.replace(",", ".")
-        raise UnitError(f"{text!r} is no quantity", f"the decimal separator is a point: {mended!r}")
+        raise UnitError(f"`{text}` is no quantity", f"the decimal separator is a point: `{mended}`")
     return Quantity(value, parse_unit(rest))
 
 

@@ -67,7 +67,7 @@ class _Scanner:
                 return
 
     def header(self) -> KeyPath:
-        """[a.b] or [[a.b]]: return the path of the table that it opens."""
+        """Scan [a.b] or [[a.b]]; return the path of the table that it opens."""
         is_array = self.text.startswith("[[", self.at)
         self.at += 2 if is_array else 1
         path: KeyPath = ()
@@ -84,7 +84,7 @@ class _Scanner:
         return path
 
     def pair(self, prefix: KeyPath) -> None:
-        """a.b = value."""
+        """Scan a.b = value."""
         path = prefix
         keys = self.keys()
         for name, span in keys:
@@ -95,7 +95,7 @@ class _Scanner:
         self.found[path] = Position(keys[-1][1], self.value(path))
 
     def keys(self) -> list[tuple[str, Span]]:
-        """a . "b" . 'c', with the scanner left at what follows."""
+        """Scan a . "b" . 'c', and stop at what follows."""
         keys = []
         while True:
             self.skip_blank()
@@ -130,7 +130,7 @@ class _Scanner:
         return Span(self.source, start, self.at)
 
     def string(self) -> None:
-        """Any of the four kinds of string."""
+        """Scan any of the four kinds of string."""
         quote = self.text[self.at]
         escapes = quote == '"'
         if self.text.startswith(quote * TRIPLE, self.at):

@@ -1,0 +1,197 @@
+"""Scenario → Diagram: names become paths, texts become numbers, files become plants and blocks."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from fcl_sim.block import load
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
+from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.judge.verdict import Requirement
+from fcl_sim.loop.blocks import BLOCKS
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
+from fcl_sim.plant.catalog import PlantModel, find
+from fcl_sim.plant.declaration import Parameter, State
+from fcl_sim.scenario.model import BASE, CONTROLLER, Entries, PlantSetup, Scenario, Setup
+from fcl_sim.scenario.quantities import converted
+from fcl_sim.scenario.requirements import requirements_for
+from fcl_sim.scenario.shape import is_fuzzy
+from fcl_sim.scenario.tree import NOTHING, Entry, finding
+from fcl_sim.units import parse_quantity, parse_unit
+
+Faults = list[Diagnostic]
+Scope = Mapping[str, str]
+"""Names that a controller file may use, each with its path; a fuzzy block stands for all its outputs."""
+
+
+def bind(scenario: Scenario, variant: str = BASE) -> Diagram:
+    """Return the closed loop of a variant, with its plant and rule bases loaded.
+
+    InputFault carries every unknown name, misfitting unit and faulty rule base.
+    """
+    setup = setup_called(scenario, variant)
+    faults: Faults = []
+    plant = _plant(scenario, setup.plant, faults)
+    nodes = []
+    for name, block in setup.blocks.items():
+        node = _node(setup, name, block, faults)
+        if node is not None:
+            nodes.append(node)
+    aliases = _aliases(setup, faults)
+    if faults or plant is None:
+        raise InputFault(faults)
+    return Diagram(
+        plant=plant,
+        nodes=tuple(nodes),
+        aliases=aliases,
+        timing=setup.timing,
+        integration=setup.integration,
+    )
+
+
+def requirements(scenario: Scenario, variant: str, units: Mapping[str, str]) -> tuple[Requirement, ...]:
+    """Return what is required of a variant's run; `units` has the unit of each of its signals.
+
+    InputFault carries every signal that does not exist and every unit that does
+    not fit, the declared units of the controller's inputs included.
+    """
+    setup_called(scenario, variant)
+    return requirements_for(scenario.requirements, variant, units)
+
+
+def check_inputs(scenario: Scenario, variant: str, units: Mapping[str, str]) -> None:
+    """Raise InputFault where a signal does not have the unit that the controller's input declares."""
+    setup = setup_called(scenario, variant)
+    faults: Faults = []
+    for name, declared in setup.controller.inputs.items() if setup.controller else ():
+        given, wanted = parse_unit(units[f"{CONTROLLER}.{name}"]), parse_unit(str(declared.value))
+        if not given.same_as(wanted):
+            wire = setup.controller.wires[name] if setup.controller else declared
+            message = f"the controller's input `{name}` is in {wanted}, and `{wire.value}` is in {given}"
+            places = (Place(span=wire.span), Place(span=declared.span, label="its unit is declared here"))
+            faults.append(Diagnostic(code="SCN308", message=message, places=places))
+    if faults:
+        raise InputFault(faults)
+
+
+def setup_called(scenario: Scenario, variant: str) -> Setup:
+    """Return the setup of a variant; InputFault with the nearest name where there is none."""
+    if variant in scenario.variants:
+        return scenario.variants[variant]
+    near = nearest(variant, scenario.variants)
+    hint = f"did you mean `{near}`?" if near else f"there are {listed(scenario.variants)}"
+    message = f"`{scenario.name}` has no variant called `{variant}`"
+    raise InputFault.at_file("SCN405", scenario.files[0].name, message, hint)
+
+
+def _plant(scenario: Scenario, setup: PlantSetup, faults: Faults) -> PlantNode | None:
+    try:
+        model = find(str(setup.model.value), scenario.bench)
+    except InputFault as fault:
+        place = (Place(span=setup.model.span),)
+        faults += [each if each.places else replace(each, places=place) for each in fault.diagnostics]
+        return None
+    declaration = model.declaration
+    return PlantNode(
+        name=setup.name,
+        model=model,
+        parameters=_values("parameter", declaration.parameters, setup.parameters, model, faults),
+        start=_values("state", declaration.states, setup.start, model, faults),
+        inputs={name: wire_of(entry) for name, entry in setup.inputs.items()},
+        span=setup.span,
+    )
+
+
+def _values(
+    what: str,
+    declared: tuple[Parameter, ...] | tuple[State, ...],
+    given: Entries,
+    model: PlantModel,
+    faults: Faults,
+) -> dict[str, float]:
+    units = {each.name: each.unit for each in declared}
+    values = {}
+    for name, entry in given.items():
+        if name not in units:
+            near = nearest(name, units)
+            hint = f"did you mean `{near}`?" if near else f"it has {listed(units) or 'none'}"
+            message = f"the plant `{model.declaration.name}` has no {what} called `{name}`"
+            faults.append(finding("SCN309", message, entry.key, hint))
+            continue
+        value = converted(entry, parse_unit(units[name]), f"`{name}`", faults)
+        if value is not None:
+            values[name] = value
+    return values
+
+
+def _node(setup: Setup, name: str, block: Entry, faults: Faults) -> Node | FuzzyNode | None:
+    scope = local_names(setup) if name.startswith(f"{CONTROLLER}.") else None
+    if is_fuzzy(block):
+        return _fuzzy_node(setup, name, block, scope, faults)
+    kind = BLOCKS[str(block.table["type"].value)]
+    terms = block.get(kind.terms) if kind.terms else None
+    entries = terms.table if terms else NOTHING
+    wires = {port: _wired(block.table[port], scope, faults) for port in kind.ports}
+    wires |= {
+        term: _wired(Entry(term, entry.key, entry.key), scope, faults) for term, entry in entries.items()
+    }
+    given = {each.name: entry for each in kind.parameters if (entry := block.get(each.name)) is not None}
+    parameters = {key: parse_quantity(entry.value) for key, entry in {**given, **entries}.items()}
+    return Node(name=name, type=kind.name, inputs=wires, parameters=parameters, span=block.key)
+
+
+def _fuzzy_node(
+    setup: Setup, name: str, block: Entry, scope: Scope | None, faults: Faults
+) -> FuzzyNode | None:
+    called = block.get("block")
+    wires = {port: _wired(entry, scope, faults) for port, entry in block.table["inputs"].table.items()}
+    units = block.get("units")
+    try:
+        loaded = load(setup.rule_bases[name], str(called.value) if called else None)
+    except InputFault as fault:
+        faults += fault.diagnostics
+        return None
+    declared = {key: str(entry.value) for key, entry in (units.table if units else NOTHING).items()}
+    return FuzzyNode(name=name, block=loaded, inputs=wires, units=declared, span=block.key)
+
+
+def local_names(setup: Setup) -> Scope:
+    """Return the names inside the controller file: its inputs and blocks, each with its path."""
+    prefix = f"{CONTROLLER}."
+    names = {path.removeprefix(prefix): path for path in setup.blocks if path.startswith(prefix)}
+    if setup.controller is not None:
+        names |= {name: prefix + name for name in setup.controller.inputs}
+    return names
+
+
+def wire_of(entry: Entry) -> Wire:
+    """Return the wire that a text names: a signal's path, behind a minus for its negative."""
+    text = str(entry.value).replace(" ", "")
+    return Wire(text.removeprefix("-"), -1.0 if text.startswith("-") else 1.0, entry.span)
+
+
+def _wired(entry: Entry, scope: Scope | None, faults: Faults) -> Wire:
+    """Return the wire of an entry; within a controller its name is one of `scope`."""
+    wire = wire_of(entry)
+    if scope is None:
+        return wire
+    first, dot, rest = wire.source.partition(".")
+    if first in scope:
+        return replace(wire, source=scope[first] + dot + rest)
+    near = nearest(wire.source, scope) or nearest(first, scope)
+    hint = f"did you mean `{near}`?" if near else f"there are {listed(scope)}"
+    if dot:
+        hint = f"a controller sees its own inputs and blocks: {listed(scope)}"
+    faults.append(finding("SCN306", f"the controller has no signal called `{wire.source}`", entry, hint))
+    return wire
+
+
+def _aliases(setup: Setup, faults: Faults) -> dict[str, Wire]:
+    if setup.controller is None:
+        return {}
+    scope = local_names(setup)
+    inputs = {f"{CONTROLLER}.{name}": wire_of(entry) for name, entry in setup.controller.wires.items()}
+    outputs = {
+        f"{CONTROLLER}.{name}": _wired(entry, scope, faults)
+        for name, entry in setup.controller.outputs.items()
+    }
+    return inputs | outputs

@@ -1,0 +1,168 @@
+"""The leaves of a scenario file: each a type that refuses with a sentence and a mend."""
+
+import re
+from typing import Annotated, Any
+
+from pydantic import PlainValidator, WithJsonSchema
+from pydantic_core import PydanticCustomError
+
+from fcl_sim.diagnostics import nearest
+from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.loop.schemes import SCHEMES
+from fcl_sim.units import UnitError, nanoseconds, parse_quantity, parse_unit
+
+NAME = re.compile(r"[^\W\d]\w*")
+WIRE = re.compile(rf"-?{NAME.pattern}(\.{NAME.pattern})*")
+QUANTITY = r"^\s*[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?.*$"
+CYCLE_TIMES = ("nominal", "measured")
+FAIL = "fail"
+
+
+def refused(code: str, message: str, hint: str = "") -> PydanticCustomError:
+    """Return the refusal of a value; {it} in the message stands for its key."""
+    return PydanticCustomError(code, "{message}", {"message": message, "hint": hint})
+
+
+def kind(value: Any) -> str:
+    """Return what a TOML value is, for a reader."""
+    if isinstance(value, bool):
+        return "true or false"
+    names = {"a number": int | float, "a text": str, "a table": dict, "a list": list}
+    return next((name for name, type_ in names.items() if isinstance(value, type_)), "a date or time")
+
+
+def _text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise refused("SCN203", f"{{it}} is a text, not {kind(value)}", "write it in quotes")
+    return value
+
+
+def _filled(value: Any) -> str:
+    if not _text(value).strip():
+        raise refused("SCN203", "{it} is empty")
+    return str(value)
+
+
+def _quantity(value: Any) -> str | float:
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise refused("SCN203", f"{{it}} is a quantity, not {kind(value)}", 'write it as in "20 t"')
+    try:
+        parse_quantity(value)
+    except UnitError as error:
+        raise refused("SCN204", f"{{it}}: {error}", error.hint) from error
+    return value
+
+
+def _time(value: Any) -> str:
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        raise refused("SCN204", f"{{it}} is a time and needs a unit, not {value} alone", f'write "{value} s"')
+    if not isinstance(value, str):
+        raise refused("SCN203", f"{{it}} is a time, not {kind(value)}", 'write it as in "50 ms"')
+    try:
+        ticks = nanoseconds(parse_quantity(value))
+    except UnitError as error:
+        raise refused("SCN204", f"{{it}}: {error}", error.hint) from error
+    if ticks < 0:
+        raise refused("SCN204", f"{{it}} is negative: {value}", "times run forward")
+    return value
+
+
+def _positive_time(value: Any) -> str:
+    if nanoseconds(parse_quantity(_time(value))) == 0:
+        raise refused("SCN204", "{it} must be greater than 0")
+    return str(value)
+
+
+def _positive(value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise refused("SCN203", f"{{it}} is a number, not {kind(value)}", "write it without quotes")
+    if not 0 < value < float("inf"):
+        raise refused("SCN203", f"{{it}} must be greater than 0 and finite, not {value}")
+    return float(value)
+
+
+def _count(value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise refused("SCN203", f"{{it}} is a whole number, not {kind(value)}", "as in seed = 1")
+    if not 0 <= value < 2**63:
+        raise refused("SCN203", "{it} must lie between 0 and 2^63 - 1")
+    return value
+
+
+def _name(value: Any) -> str:
+    if not NAME.fullmatch(_text(value)):
+        hint = "names are letters, digits and underscores, and begin with a letter"
+        raise refused("SCN206", f"`{value}` is no name", hint)
+    return str(value)
+
+
+def _unit(value: Any) -> str:
+    try:
+        parse_unit(_text(value))
+    except UnitError as error:
+        raise refused("SCN204", f"{{it}}: {error}", error.hint) from error
+    return str(value)
+
+
+def _wire(value: Any) -> str:
+    if not isinstance(value, str):
+        hint = 'name the signal in quotes, as in "crane.distance"'
+        raise refused("SCN203", f"{{it}} is the name of a signal, not {kind(value)}", hint)
+    if not WIRE.fullmatch(value.replace(" ", "")):
+        hint = 'write it as in "crane.distance", or "-crane.distance" for its negative'
+        raise refused("SCN206", f"{{it}}: `{value}` is no name of a signal", hint)
+    return value
+
+
+def _choice(value: Any, known: tuple[str, ...]) -> str:
+    if _text(value) not in known:
+        near = nearest(value, known)
+        hint = f"did you mean `{near}`?" if near else f"it is {listed(known)}"
+        raise refused("SCN203", f"{{it}} cannot be `{value}`", hint)
+    return str(value)
+
+
+def _expectation(value: Any) -> Any:
+    if isinstance(value, dict):
+        for each in value.values():
+            _choice(each, (FAIL,))
+    elif value != FAIL:
+        hint = 'write expect = "fail", or name the runs: expect = { base = "fail" }'
+        raise refused("SCN203", f"{{it}} can only announce a miss, not {value!r}", hint)
+    return value
+
+
+TEXT = {"type": "string"}
+NUMBER = {"type": "number"}
+WRITTEN = {**TEXT, "pattern": QUANTITY}
+
+
+def _schema(base: dict[str, Any], **more: Any) -> WithJsonSchema:
+    return WithJsonSchema({**base, **more})
+
+
+Text = Annotated[Any, PlainValidator(_text), _schema(TEXT)]
+Filled = Annotated[Any, PlainValidator(_filled), _schema(TEXT, minLength=1)]
+Quantified = Annotated[
+    Any, PlainValidator(_quantity), _schema({}, anyOf=[{**WRITTEN, "examples": ["20 t", "-25 m"]}, NUMBER])
+]
+Time = Annotated[Any, PlainValidator(_time), _schema(WRITTEN, examples=["20 ms"])]
+PositiveTime = Annotated[Any, PlainValidator(_positive_time), _schema(WRITTEN, examples=["50 ms", "60 s"])]
+Positive = Annotated[Any, PlainValidator(_positive), _schema(NUMBER, exclusiveMinimum=0)]
+Count = Annotated[Any, PlainValidator(_count), _schema({"type": "integer"}, minimum=0)]
+Name = Annotated[str, PlainValidator(_name), _schema(TEXT, pattern=f"^{NAME.pattern}$")]
+UnitText = Annotated[Any, PlainValidator(_unit), _schema(TEXT, examples=["m", "deg", "kW", "1"])]
+WireText = Annotated[
+    Any, PlainValidator(_wire), _schema(TEXT, examples=["crane.distance", "-crane.distance"])
+]
+SchemeName = Annotated[
+    Any, PlainValidator(lambda value: _choice(value, tuple(SCHEMES))), _schema({}, enum=sorted(SCHEMES))
+]
+CycleTime = Annotated[
+    Any, PlainValidator(lambda value: _choice(value, CYCLE_TIMES)), _schema({}, enum=list(CYCLE_TIMES))
+]
+Expectation = Annotated[
+    Any,
+    PlainValidator(_expectation),
+    _schema({}, anyOf=[{"const": FAIL}, {"type": "object", "additionalProperties": {"const": FAIL}}]),
+]

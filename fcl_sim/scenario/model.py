@@ -1,0 +1,123 @@
+"""A scenario, read: every variant spelled out, every value with its place in the text."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from fcl_sim.diagnostics import Source, Span
+from fcl_sim.loop.diagram import Integration, Timing
+from fcl_sim.scenario.tree import Entry
+
+BASE = "base"
+"""The name of the run without a variant."""
+
+CONTROLLER = "controller"
+"""What the paths of the controller's blocks, inputs and outputs begin with."""
+
+Entries = Mapping[str, Entry]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SourceFile:
+    """A file that a scenario was read from: its role, its text, the SHA-256 of its bytes in hex."""
+
+    role: str
+    path: Path
+    source: Source = field(repr=False)
+    digest: str
+
+    @property
+    def name(self) -> str:
+        """The file, as the user calls it."""
+        return self.source.name
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControllerSetup:
+    """The controller of a run. `inputs` are its units, `wires` what drives them, by input."""
+
+    file: Path
+    title: str
+    inputs: Entries
+    wires: Entries
+    outputs: Entries
+    span: Span = field(compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlantSetup:
+    """The plant of a run, by the name of its model; `name` begins the names of its signals."""
+
+    model: Entry
+    name: str
+    parameters: Entries
+    start: Entries
+    inputs: Entries
+    span: Span = field(compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Setup:
+    """Everything that one variant says.
+
+    `blocks` has every block by its path: `controller.speed` in the controller,
+    `speed` outside of it. `rule_bases` gives the FCL file of each fuzzy block.
+    """
+
+    variant: str
+    title: str
+    description: str
+    timing: Timing
+    integration: Integration
+    plant: PlantSetup
+    controller: ControllerSetup | None
+    blocks: Entries
+    rule_bases: Mapping[str, Path]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RequirementText:
+    """A requirement as written: numbers still have their own units.
+
+    `expect` names the runs that are expected to miss it.
+    """
+
+    id: str
+    text: str
+    metric: str
+    signal: Entry
+    arguments: Entries
+    minimum: Entry | None
+    maximum: Entry | None
+    expect: frozenset[str]
+    span: Span = field(compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scenario:
+    """A scenario with its variants, the run without one first under `BASE`.
+
+    `files` are the texts it was read from: the scenario, the controllers, the
+    rule bases. `bench` is the folder in which its plant is looked up.
+    """
+
+    path: Path
+    name: str
+    title: str
+    description: str
+    bench: Path
+    variants: Mapping[str, Setup]
+    requirements: tuple[RequirementText, ...]
+    files: tuple[SourceFile, ...]
+    overrides: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def base(self) -> Setup:
+        """The run without a variant."""
+        return self.variants[BASE]
+
+    @property
+    def digests(self) -> Mapping[str, str]:
+        """SHA-256 of each file that was read, by the file's name."""
+        return {each.name: each.digest for each in self.files}

@@ -1,0 +1,185 @@
+"""[[require]] → requirements: first as written, then in the units of the signals they bound."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
+from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.judge.metric import WINDOW, Argument, Kind, Metric
+from fcl_sim.judge.metrics import METRICS
+from fcl_sim.judge.verdict import Requirement
+from fcl_sim.scenario.model import RequirementText
+from fcl_sim.scenario.quantities import converted
+from fcl_sim.scenario.tree import Entry, finding
+from fcl_sim.units import Unit, parse_unit
+
+SIGNAL = "signal"
+
+
+def requirement_texts(
+    entries: Sequence[Entry], variants: Sequence[str]
+) -> tuple[tuple[RequirementText, ...], list[Diagnostic]]:
+    """Return the requirements as written, and what is wrong with them but for their shape.
+
+    `variants` are the names of all runs, the base run's included.
+    """
+    faults: list[Diagnostic] = []
+    texts: list[RequirementText] = []
+    for entry in entries:
+        text = _text(entry, variants, faults)
+        if text is not None:
+            faults += _twice(text, texts)
+            texts.append(text)
+    return tuple(texts), faults
+
+
+def _text(entry: Entry, variants: Sequence[str], faults: list[Diagnostic]) -> RequirementText | None:
+    identity, words, metric = entry.get("id"), entry.get("text"), entry.get("metric")
+    faults += _expectation_faults(entry.get("expect"), variants)
+    if metric is None or not metric.is_table:
+        return None
+    faults += _metric_faults(metric, entry)
+    if len(metric.table) != 1 or identity is None or words is None:
+        return None
+    ((name, arguments),) = metric.table.items()
+    signal = arguments.get(SIGNAL)
+    if name not in METRICS or signal is None:
+        return None
+    return RequirementText(
+        id=str(identity.value),
+        text=str(words.value),
+        metric=name,
+        signal=signal,
+        arguments=arguments.without(SIGNAL).table,
+        minimum=entry.get("min"),
+        maximum=entry.get("max"),
+        expect=_expected(entry.get("expect"), variants),
+        span=entry.key,
+    )
+
+
+def _twice(text: RequirementText, before: Sequence[RequirementText]) -> Iterator[Diagnostic]:
+    for other in before:
+        if other.id == text.id:
+            places = (Place(span=text.span), Place(span=other.span, label="the first of them"))
+            yield Diagnostic(code="SCN407", message=f"two requirements are called `{text.id}`", places=places)
+
+
+def _expected(expect: Entry | None, variants: Sequence[str]) -> frozenset[str]:
+    if expect is None:
+        return frozenset()
+    return frozenset(expect.table if expect.is_table else variants)
+
+
+def _expectation_faults(expect: Entry | None, variants: Sequence[str]) -> Iterator[Diagnostic]:
+    if expect is None:
+        return
+    for name, entry in expect.table.items():
+        if name not in variants:
+            near = nearest(name, variants)
+            hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
+            yield finding("SCN405", f"there is no variant called `{name}`", entry.key, hint)
+
+
+def _metric_faults(metric: Entry, requirement: Entry) -> Iterator[Diagnostic]:
+    if len(metric.table) != 1:
+        hint = "write metric = { NAME = { signal = ..., ... } }; for a second metric, a second [[require]]"
+        yield finding(
+            "SCN401", f"`metric` names {len(metric.table) or 'no'} metrics instead of one", metric.key, hint
+        )
+    for name, arguments in metric.table.items():
+        if name not in METRICS:
+            near = nearest(name, METRICS)
+            hint = f"did you mean `{near}`?" if near else f"there are {listed(METRICS)}"
+            yield finding("SCN401", f"there is no metric called `{name}`", arguments.key, hint)
+        elif arguments.is_table:
+            yield from _argument_faults(METRICS[name], arguments)
+    if requirement.get("min") is None and requirement.get("max") is None:
+        hint = 'give `min` or `max` or both, as in max = "35 s"'
+        yield finding("SCN406", "the requirement bounds nothing", requirement.key, hint)
+
+
+def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
+    known = [SIGNAL, *(each.name for each in (*metric.arguments, *WINDOW))]
+    for name, entry in arguments.table.items():
+        if name not in known:
+            near = nearest(name, known)
+            hint = f"did you mean `{near}`?" if near else f"it takes {listed(known)}"
+            yield finding("SCN402", f"`{metric.name}` has no argument `{name}`", entry.key, hint)
+    wanted = [(SIGNAL, "the signal it is taken of")]
+    wanted += [(each.name, f"the {each.meaning}") for each in metric.arguments if each.required]
+    for name, meaning in wanted:
+        if name not in arguments.table:
+            yield finding("SCN402", f"`{metric.name}` needs `{name}`: {meaning}", arguments.key)
+    signal = arguments.get(SIGNAL)
+    if signal is not None and not isinstance(signal.value, str):
+        yield finding("SCN402", "`signal` is the name of a signal, in quotes", signal)
+
+
+def requirements_for(
+    texts: Sequence[RequirementText], variant: str, units: Mapping[str, str]
+) -> tuple[Requirement, ...]:
+    """Return the requirements on the run of a variant, in the units of its signals.
+
+    `units` has the unit of every signal of the run or the recorded trace.
+    InputFault where a signal does not exist or a unit does not fit.
+    """
+    faults: list[Diagnostic] = []
+    found = [_in_units(text, variant, units, faults) for text in texts]
+    if faults:
+        raise InputFault(faults)
+    return tuple(each for each in found if each is not None)
+
+
+def _in_units(
+    text: RequirementText, variant: str, units: Mapping[str, str], faults: list[Diagnostic]
+) -> Requirement | None:
+    signal = str(text.signal.value)
+    if signal not in units:
+        near = nearest(signal, units) or nearest(signal.rpartition(".")[2], units)
+        hint = f"did you mean `{near}`?" if near else f"there are {listed(sorted(units))}"
+        faults.append(finding("SCN403", f"there is no signal called `{signal}`", text.signal, hint))
+        return None
+    metric, before = METRICS[text.metric], len(faults)
+    unit = parse_unit(units[signal])
+    arguments = {
+        name: _argument(metric, name, entry, unit, faults) or 0.0 for name, entry in text.arguments.items()
+    }
+    own = metric.unit.unit(unit)
+    what = f"a {metric.words} of `{signal}`"
+    minimum = converted(text.minimum, own, what, faults)
+    maximum = converted(text.maximum, own, what, faults)
+    faults += _crossed(text, minimum, maximum, arguments)
+    if len(faults) > before:
+        return None
+    return Requirement(
+        id=text.id,
+        text=text.text,
+        metric=text.metric,
+        signal=signal,
+        arguments=arguments,
+        minimum=minimum,
+        maximum=maximum,
+        unit=own.symbol,
+        expect_fail=variant in text.expect,
+        span=text.span,
+    )
+
+
+def _argument(
+    metric: Metric, name: str, entry: Entry, signal: Unit, faults: list[Diagnostic]
+) -> float | None:
+    argument: Argument = next(each for each in (*metric.arguments, *WINDOW) if each.name == name)
+    units = {Kind.SIGNAL: signal, Kind.TIME: parse_unit("s"), Kind.NUMBER: parse_unit("")}
+    return converted(entry, units[argument.kind], f"`{name}` of `{metric.name}`", faults)
+
+
+def _crossed(
+    text: RequirementText, minimum: float | None, maximum: float | None, arguments: Mapping[str, float]
+) -> Iterator[Diagnostic]:
+    if minimum is not None and maximum is not None and minimum > maximum:
+        yield finding(
+            "SCN406", f"no value lies between the bounds of {text.id}", text.minimum, "exchange them?"
+        )
+    start, end = arguments.get("from", 0.0), arguments.get("to")
+    if end is not None and end < start:
+        yield finding("SCN406", f"the window of {text.id} ends before it begins", text.arguments["to"])

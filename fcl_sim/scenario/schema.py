@@ -1,0 +1,179 @@
+"""The shape of scenario and controller files, as pydantic models: which keys, which kinds of value.
+
+Names, units and references are the binder's work. The leaves are the types of
+`scenario.fields`, whose refusals are written for people.
+"""
+
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, create_model
+
+from fcl_sim.loop.blocks import BLOCKS, BlockType
+from fcl_sim.scenario.fields import (
+    Count,
+    CycleTime,
+    Expectation,
+    Filled,
+    Name,
+    Positive,
+    PositiveTime,
+    Quantified,
+    SchemeName,
+    Text,
+    Time,
+    UnitText,
+    WireText,
+)
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+FUZZY = "fuzzy"
+
+
+class Table(BaseModel):
+    """A TOML table without keys that nobody reads."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class BlockTable(BaseModel):
+    """A block; `type` decides what else it takes, see `block_models`."""
+
+    model_config = ConfigDict(extra="allow", frozen=True)
+
+    type: Filled = Field(description="kind of block")
+
+
+class FuzzyTable(Table):
+    """A fuzzy function block in FCL."""
+
+    type: Literal["fuzzy"]
+    file: Filled = Field(description="FCL file, relative to the file that names it")
+    block: Filled = Field(None, description="which FUNCTION_BLOCK, where the file has several")
+    units: dict[str, UnitText] = Field({}, description="unit of each variable; FCL has none")
+    inputs: dict[str, WireText] = Field(description="for each input of the block, the signal it reads")
+
+
+class TimingTable(Table):
+    """When a scan reads and writes, as the PLC does it."""
+
+    latency: Time = Field(None, description="from reading inputs to writing outputs, up to the scan time")
+    jitter: Time = Field(None, description="each scan begins late by up to this, drawn from the seed")
+    seed: Count = Field(0, description="seed of everything drawn in the run")
+    cycle_time: CycleTime = Field("nominal", description="time between scans as the blocks take it")
+
+
+class IntegrationTable(Table):
+    """How the plant is integrated between writes."""
+
+    scheme: SchemeName = Field("dormand_prince", description="integration scheme")
+    rtol: Positive = Field(1e-8, description="relative tolerance of a scheme with step control")
+    step: PositiveTime = Field(None, description="step of a scheme without step control")
+
+
+class PlantTable(Table):
+    """The plant, and what differs from its declaration."""
+
+    model: Filled = Field(description="the plant: plants/NAME.py of the bench, or a shipped one")
+    name: Name | None = Field(None, description="what its signals begin with; else the model's name")
+    parameters: dict[str, Quantified] = Field({}, description="parameters, where not at their defaults")
+    start: dict[str, Quantified] = Field({}, description="start values of states, where not as declared")
+    inputs: dict[str, WireText] = Field(
+        {}, description="for each input of the plant, the signal that drives it"
+    )
+
+
+class ControllerTable(Table):
+    """Which controller a scenario runs, what it reads, and what is laid over its file."""
+
+    file: Filled = Field(description="controller file, relative to the scenario")
+    inputs: dict[str, WireText] = Field(
+        {}, description="for each input of the controller, the signal it reads"
+    )
+    scan: PositiveTime = Field(None, description="scan time instead of the file's")
+    blocks: dict[str, Any] = Field({}, description="what differs from the file's blocks")
+    outputs: dict[str, WireText] = Field({}, description="what differs from the file's outputs")
+
+
+class RequirementTable(Table):
+    """A bound on a metric of a signal."""
+
+    id: Filled = Field(description="what the requirement is called in tables")
+    text: Filled = Field(description="the requirement in words, with the reason of an expected miss")
+    metric: dict[str, dict[str, Any]] = Field(description="one metric with its arguments")
+    min: Quantified = Field(None, description="smallest allowed value")
+    max: Quantified = Field(None, description="largest allowed value")
+    expect: Expectation = Field(None, description='"fail", or { VARIANT = "fail" }: the miss is expected')
+
+
+class ControllerFile(Table):
+    """What goes into the PLC."""
+
+    title: Filled = Field(None, description="one line for people")
+    description: Text = Field("", description="what a reader should know")
+    scan: PositiveTime = Field(description="scan time")
+    blocks: dict[Name, BlockTable] = Field(description="the blocks, by name")
+    inputs: dict[Name, UnitText] = Field(description="the inputs, each with its unit")
+    outputs: dict[Name, WireText] = Field(description="the outputs, each with the signal it gives out")
+
+
+class ScenarioFile(Table):
+    """A closed loop, its variants, and what is required of it."""
+
+    title: Filled = Field(description="one line for tables and reports")
+    description: Text = Field("", description="the story: what is shown, what to look at")
+    duration: PositiveTime = Field(description="length of a run, a whole number of scans")
+    scan: PositiveTime = Field(None, description="scan time, where there is no controller file")
+    controller: ControllerTable | None = Field(None, description="the controller")
+    blocks: dict[Name, BlockTable] = Field({}, description="blocks that stand outside the controller")
+    plant: PlantTable = Field(description="the plant")
+    timing: TimingTable = Field(TimingTable(), description="latency, jitter and cycle time")
+    integration: IntegrationTable = Field(IntegrationTable(), description="integration of the plant")
+    variants: dict[Name, dict[str, Any]] = Field({}, description="further runs, each by what differs")
+    require: list[RequirementTable] = Field([], description="what is required of every run")
+
+
+@cache
+def block_models() -> Mapping[str, type[Table]]:
+    """Return the shape of each kind of block, by type, made from the loop's own table."""
+    models = {name: _block_model(block) for name, block in BLOCKS.items() if name != FUZZY}
+    return MappingProxyType({**models, FUZZY: FuzzyTable})
+
+
+def _block_model(block: BlockType) -> type[Table]:
+    fields: dict[str, Any] = {"type": (Literal[block.name], ...)}
+    for port in block.ports:
+        fields[port] = (WireText, Field(description="the signal it reads"))
+    for each in block.parameters:
+        default = ... if each.default is None else each.default
+        unit = f", in {each.unit}" if each.unit else ""
+        fields[each.name] = (Quantified, Field(default, description=f"{each.meaning}{unit}"))
+    if block.terms:
+        fields[block.terms] = (dict[str, Quantified], Field(description="signals, each with its gain"))
+    name = f"{block.name.capitalize()}Table"
+    made: type[Table] = create_model(
+        name, __base__=Table, __doc__=f"{block.summary}: {block.equation}", **fields
+    )
+    return made
+
+
+def json_schema(of: str = "scenario") -> dict[str, Any]:
+    """Return the JSON Schema of scenario files, or of controller files, for editors."""
+    files: Mapping[str, type[Table]] = {"scenario": ScenarioFile, "controller": ControllerFile}
+    schema = files[of].model_json_schema(ref_template="#/$defs/{model}")
+    definitions = schema.setdefault("$defs", {})
+    references = []
+    for table_model in block_models().values():
+        inner = table_model.model_json_schema(ref_template="#/$defs/{model}")
+        definitions |= inner.pop("$defs", {})
+        definitions[inner["title"]] = inner
+        references.append({"$ref": f"#/$defs/{inner['title']}"})
+    definitions["BlockTable"] = {"title": "BlockTable", "oneOf": references}
+    for table in (schema, *definitions.values()):
+        for each in table.get("properties", {}).values():
+            each.pop("title", None)  # pydantic's is the key again
+            if each.get("default", 0) is None:
+                del each["default"]
+    return {"$schema": DIALECT, **schema}

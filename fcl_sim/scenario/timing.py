@@ -1,0 +1,64 @@
+"""Scan, duration and integration of a run, from the tables that give them."""
+
+from dataclasses import replace
+
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place
+from fcl_sim.loop import clock
+from fcl_sim.loop.diagram import Integration, Timing
+from fcl_sim.scenario.tree import Entry, finding
+from fcl_sim.units import nanoseconds, parse_quantity
+
+
+def timing_of(tree: Entry, controller: Entry | None) -> tuple[Timing | None, list[Diagnostic]]:
+    """Return the timing of a run whose tables have their right shape, or what contradicts in it."""
+    scan, faults = _scan(tree, controller)
+    duration = tree.get("duration")
+    if scan is None or duration is None:
+        return None, faults
+    table = tree.get("timing")
+    seed = table.get("seed") if table else None
+    cycle = table.get("cycle_time") if table else None
+    timing = Timing(
+        scan=_ticks(scan),
+        duration=_ticks(duration),
+        latency=_ticks(table.get("latency") if table else None),
+        jitter=_ticks(table.get("jitter") if table else None),
+        seed=int(seed.value) if seed else 0,
+        measured=cycle is not None and cycle.value == "measured",
+    )
+    try:
+        clock.check(timing)
+    except InputFault as fault:
+        places = tuple(Place(span=each.span) for each in (duration, scan))
+        return None, [replace(each, places=places) for each in fault.diagnostics]
+    return timing, faults
+
+
+def _scan(tree: Entry, controller: Entry | None) -> tuple[Entry | None, list[Diagnostic]]:
+    own = tree.get("scan")
+    if controller is None:
+        if own is not None:
+            return own, []
+        hint = 'give the scan time, as in scan = "50 ms", or a controller file that has one'
+        return None, [finding("SCN202", "the scenario has no `scan`", tree.get("duration"), hint)]
+    if own is not None:
+        hint = "to run it at another scan time, write controller.scan"
+        return None, [finding("SCN303", "the scan time belongs to the controller", own.key, hint)]
+    return controller.get("scan"), []
+
+
+def integration_of(tree: Entry) -> Integration:
+    """Return how the plant is integrated."""
+    table, default = tree.get("integration"), Integration()
+    if table is None:
+        return default
+    scheme, rtol, step = table.get("scheme"), table.get("rtol"), table.get("step")
+    return Integration(
+        scheme=str(scheme.value) if scheme else default.scheme,
+        rtol=float(rtol.value) if rtol else default.rtol,
+        step=parse_quantity(step.value).to("s") if step else default.step,
+    )
+
+
+def _ticks(entry: Entry | None) -> int:
+    return nanoseconds(parse_quantity(entry.value)) if entry else 0
