@@ -58,15 +58,37 @@ PLANT = Plant(
         Output("force", "kN", "drive force on the trolley"),
     ),
     parameters=(
-        Parameter("trolley_mass", "kg", 15_000.0, "M", "[A] between light and machinery trolleys, 8 to 25 t tested", 1.0),
-        Parameter("load_mass", "kg", 20_000.0, "m: container and spreader", "10 to 40 t, RTG data sheets", 0.0),
+        Parameter(
+            "trolley_mass",
+            "kg",
+            15_000.0,
+            "M",
+            "[A] between light and machinery trolleys, 8 to 25 t tested",
+            1.0,
+        ),
+        Parameter(
+            "load_mass", "kg", 20_000.0, "m: container and spreader", "10 to 40 t, RTG data sheets", 0.0
+        ),
         Parameter("cable_length", "m", 10.0, "L", "5 to 15 m, RTG lift heights 12 to 21 m", 0.1),
         Parameter("gravity", "m/s2", 9.81, "g", "standard gravity, rounded", 0.0),
         Parameter("maximum_speed", "m/s", 2.5, "motoring fades out here", "[A] 150 m/min", 0.01),
         Parameter("base_speed", "m/s", 1.0, "vb: constant torque below, constant power above", "[A]", 0.001),
-        Parameter("drive_lag", "s", 0.1, "taud: torque loop and gear", "[A] vector drive, 0.05 to 0.3 s tested", 1e-4),
         Parameter(
-            "rolling_resistance", "1", 0.005, "cr", "crane wheels of 400 to 630 mm: 0.0044 to 0.0068", 0.0, 1.0
+            "drive_lag",
+            "s",
+            0.1,
+            "taud: torque loop and gear",
+            "[A] vector drive, 0.05 to 0.3 s tested",
+            1e-4,
+        ),
+        Parameter(
+            "rolling_resistance",
+            "1",
+            0.005,
+            "cr",
+            "crane wheels of 400 to 630 mm: 0.0044 to 0.0068",
+            0.0,
+            1.0,
         ),
         Parameter("viscous_friction", "N s/m", 200.0, "bv", "[A]", 0.0),
         Parameter("damping", "1", 0.005, "zeta of the swing", "[A]", 0.0),
@@ -115,7 +137,7 @@ def commanded(power, speed, p):
 
 
 def dynamics(t, x, u, p, mode, dx):
-    """The two equations of motion, solved for v' and w', and the drive's lag."""
+    """Solve the equations of motion for v' and w'; the drive lags."""
     trolley_mass, load_mass, length, gravity = p[0], p[1], p[2], p[3]
     speed, rate, force = x[1], x[3], x[4]
     sine, cosine = sin(x[2]), cos(x[2])
@@ -133,7 +155,7 @@ def dynamics(t, x, u, p, mode, dx):
 
 
 def outputs(t, x, u, p, mode, y):
-    """What the sensors could see."""
+    """Give what sensors could see."""
     degrees = 180.0 / pi
     y[0] = 0.0 - x[0]
     y[1] = degrees * x[2]
@@ -144,7 +166,7 @@ def outputs(t, x, u, p, mode, y):
 
 
 def events(t, x, u, p, mode, g):
-    """A slide ends when its speed does; rest ends when the pull exceeds what friction holds."""
+    """Watch for the end of a slide, its speed, and of rest, the pull against what friction holds."""
     g[STOPS_FORWARD] = x[1] if mode == FORWARD else 1.0
     g[STOPS_BACKWARD] = x[1] if mode == BACKWARD else -1.0
     g[BREAKS_FORWARD] = -1.0
@@ -156,12 +178,12 @@ def events(t, x, u, p, mode, g):
 
 
 def transition(i, t, x, u, p, mode):
-    """At rest the pull decides; a slide begins in the direction of the pull."""
+    """Let the pull decide at rest; a slide begins in its direction."""
     if i == BREAKS_FORWARD:
         return FORWARD
     if i == BREAKS_BACKWARD:
         return BACKWARD
-    if i == STOPS_FORWARD or i == STOPS_BACKWARD:
+    if i in (STOPS_FORWARD, STOPS_BACKWARD):
         x[1] = 0.0
     if x[1] > 0.0:
         return FORWARD

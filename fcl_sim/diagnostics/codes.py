@@ -1,7 +1,8 @@
 """The vocabulary of findings: every code, in one table.
 
 FCL1xx scanning, FCL2xx parsing, FCL3xx resolving, FCL4xx what the engine
-cannot evaluate; JDG judging, SCN scenarios, PLT plants, RUN the run and its surroundings.
+cannot evaluate; JDG judging, SCN scenarios, PLT plants, RUN the run and its surroundings,
+WIR the wiring of a loop.
 """
 
 CODES: dict[str, str] = {
@@ -90,6 +91,15 @@ CODES: dict[str, str] = {
     "FCL422": "there are several function blocks",
     "FCL423": "no function block has that name",
     "JDG101": "a requirement names a signal that the trace does not have",
+    "PLT101": "there is no plant of that name",
+    "PLT102": "a plant's file cannot be read",
+    "PLT201": "a plant file declares no plant",
+    "PLT202": "a plant has not all of its functions",
+    "PLT203": "a plant's declaration contradicts itself",
+    "PLT204": "a plant function does not keep the contract",
+    "PLT205": "a plant function leaves a result unset",
+    "PLT206": "a transition gives no mode",
+    "PLT301": "a plant's own code fails",
     "RUN101": "the system refused to read or write",
     "RUN102": "the shipped bench is never written to",
     "RUN103": "the folder holds something already",
@@ -124,4 +134,12 @@ CODES: dict[str, str] = {
     "SCN405": "a variant is unknown",
     "SCN406": "bounds or window of a requirement make no sense",
     "SCN407": "two requirements share an id",
+    "WIR101": "two signals share a name",
+    "WIR102": "a signal is unknown",
+    "WIR103": "something is not connected",
+    "WIR104": "a block or plant has no such thing",
+    "WIR201": "units do not fit",
+    "WIR202": "a parameter is outside what is possible",
+    "WIR301": "blocks wait for each other",
+    "WIR401": "the times of a loop contradict each other",
 }

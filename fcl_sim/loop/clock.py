@@ -38,7 +38,8 @@ def check(timing: Timing) -> None:
         _refuse(f"the latency must lie between 0 and the scan time, {seconds(timing.scan)}")
     if not 0 <= timing.jitter <= timing.scan - timing.latency:
         _refuse(
-            "latency and jitter together must not exceed the scan time: the outputs are written before the next scan"
+            "latency and jitter together must not exceed the scan time",
+            "the outputs are written before the next scan begins",
         )
 
 

@@ -55,6 +55,13 @@ class PlantNode:
     inputs: Mapping[str, Wire] = field(default_factory=dict)
     span: Span | None = field(default=None, compare=False, repr=False)
 
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """Full names of its outputs, then of its inputs as written."""
+        plant = self.model.declaration
+        names = [each.name for each in plant.outputs] + [each.name for each in plant.inputs]
+        return tuple(f"{self.name}.{name}" for name in names)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Timing:

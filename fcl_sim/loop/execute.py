@@ -5,10 +5,11 @@ from fcl_sim.loop.blocks.differentiator import differentiate
 from fcl_sim.loop.blocks.fuzzy import evaluate
 from fcl_sim.loop.blocks.linear import gain, weighted_sum
 from fcl_sim.loop.layout import OPCODE, ROW_LENGTH, ROWS, ROWS_AT
+from fcl_sim.loop.work import Floats, Ints
 
 
 @inlined
-def execute(ints, floats, memory, cycle):
+def execute(ints: Ints, floats: Floats, memory: Floats, cycle: float) -> None:
     """Execute every block row, `cycle` being the cycle time in seconds."""
     at = ints[u(ROWS_AT)]
     for _ in range(ints[u(ROWS)]):

@@ -49,7 +49,7 @@ SCHEME_AT = 19
 SCALES_AT = 20
 """Where in `floats` the scale of each state stands, padding included."""
 STEP_AT = 21
-"""Where in `floats` stand: tolerance, step of a fixed scheme (s), nominal cycle time (s), exponent of control."""
+"""Where in `floats` stand the tolerance, the step of a fixed scheme and the cycle time (s), the exponent."""
 PLANT_INPUTS_AT = 22
 """First slot of the plant's inputs in `memory`; its outputs begin at 0."""
 
@@ -57,7 +57,7 @@ HEAD = 23
 """Words of the head."""
 
 RTOL, FIXED_STEP, CYCLE, EXPONENT = 0, 1, 2, 3
-"""Offsets from STEP_AT."""
+"""Offsets from STEP_AT; the exponent is that of step control, -1 / order."""
 
 # A block row in `ints`; its parameters stand in `floats` from PARAMETERS: first
 # the sign of each input (with the gain, where a block has one), then the rest.

@@ -18,7 +18,9 @@ def in_order(nodes: Sequence[AnyNode], sources: Callable[[AnyNode], Sequence[str
     """
     by_signal = {name: node for node in nodes for name in signals_of(node)}
     waits = {
-        node.name: [by_signal[each] for each in sources(node) if each in by_signal] if _feedthrough(node) else []
+        node.name: [by_signal[each] for each in sources(node) if each in by_signal]
+        if _feedthrough(node)
+        else []
         for node in nodes
     }
     done: dict[str, AnyNode] = {}
@@ -52,5 +54,5 @@ def _algebraic_loop(left: Sequence[AnyNode], waits: dict[str, list[AnyNode]]) ->
     path = " → ".join(f"`{node.name}`" for node in loop)
     places = tuple(Place(span=node.span) for node in loop[:-1] if node.span)
     message = f"these blocks wait for each other in every scan: {path}"
-    hint = "an algebraic loop has no order of execution; break it with a block that has memory and no feedthrough"
+    hint = "an algebraic loop has no order of execution; break it with a block without feedthrough"
     return InputFault([Diagnostic(code="WIR301", message=message, places=places, hint=hint)])

@@ -4,9 +4,9 @@ from math import isfinite
 
 import numpy as np
 
-from fcl_sim.jit import FF, F, I, entry, i8, inlined, kernel, signature, u
+from fcl_sim.jit import FF, F, I, entry, i8, inlined, signature, u
 from fcl_sim.loop.execute import execute
-from fcl_sim.loop.integrate import ARMED, INDEX, MODE, PROGRESS, STATUS, advance
+from fcl_sim.loop.integrate import advance
 from fcl_sim.loop.layout import (
     CYCLE,
     EVENTS,
@@ -31,21 +31,22 @@ from fcl_sim.loop.layout import (
     WRITE_SIGNS_AT,
     WRITES_AT,
 )
+from fcl_sim.loop.work import ARMED, GUESS, INDEX, MODE, PROGRESS, STATUS, Floats, Ints, work_size
 from fcl_sim.plant.declaration import START
-from fcl_sim.plant.functions import FUNCTION_TYPES
+from fcl_sim.plant.functions import FUNCTION_TYPES, PlantFunction
 
 
 @inlined
-def write_outputs(ints, floats, memory):
+def write_outputs(ints: Ints, floats: Floats, memory: Floats) -> None:
     """Give the plant its inputs, to be held until the next write."""
     slots, signs = ints[u(WRITES_AT)], ints[u(WRITE_SIGNS_AT)]
     first = ints[u(PLANT_INPUTS_AT)]
     for i in range(ints[u(PLANT_INPUTS)]):
-        memory[u(first + i)] = floats[u(signs + i)] * memory[ints[u(slots + i)]]
+        memory[u(first + i)] = floats[u(signs + i)] * memory[u(ints[u(slots + i)])]
 
 
 @inlined
-def first_unsound(ints, memory):
+def first_unsound(ints: Ints, memory: Floats) -> int:
     """Return the slot of the first signal that is NaN or infinite, -1 where all are sound."""
     total = 0.0
     for i in range(ints[u(SIGNALS)]):
@@ -59,7 +60,7 @@ def first_unsound(ints, memory):
 
 
 @inlined
-def record_sample(ints, memory, row):
+def record_sample(ints: Ints, memory: Floats, row: Floats) -> None:
     """Copy the recorded stretches of memory, one after the other."""
     at = ints[u(SEGMENTS_AT)]
     column = 0
@@ -71,64 +72,98 @@ def record_sample(ints, memory, row):
         at += 2
 
 
+@inlined
+def integrate_scan(
+    dynamics: PlantFunction,
+    events: PlantFunction,
+    transition: PlantFunction,
+    start: int,
+    end: int,
+    memory: Floats,
+    ints: Ints,
+    floats: Floats,
+    x: Floats,
+    held: Floats,
+    p: Floats,
+    progress: Ints,
+    work: Floats,
+    dx: Floats,
+    trial: Floats,
+    g0: Floats,
+    g1: Floats,
+) -> bool:
+    """Integrate from scan to scan, in nanoseconds, writing after the latency; return whether it could."""
+    done = start
+    for piece in range(2):
+        target = start + ints[u(LATENCY)] if piece == 0 else end
+        if target > done:
+            if not advance(
+                dynamics, events, transition, done / 1e9, (target - done) / 1e9,
+                ints, floats, x, held, p, progress, work, dx, trial, g0, g1,
+            ):  # fmt: skip
+                return False
+            done = target
+        if piece == 0:
+            write_outputs(ints, floats, memory)
+    return True
+
+
 @entry(signature(i8, *FUNCTION_TYPES, I, F, F, F, F, I, FF, I))
 def simulate(
-    dynamics, outputs, events, transition, sample, ints, floats, memory, x, p, starts, record, report
-):
+    dynamics: PlantFunction,
+    outputs: PlantFunction,
+    events: PlantFunction,
+    transition: PlantFunction,
+    sample: PlantFunction,
+    ints: Ints,
+    floats: Floats,
+    memory: Floats,
+    x: Floats,
+    p: Floats,
+    starts: Ints,
+    record: Floats,
+    report: Ints,
+) -> int:
     """Run a tape from its first scan to its end; return the status of `loop.layout`.
 
     x (states,) and `memory` are left as the run ends. `starts` (scans + 1,)
     holds the nanosecond at which each scan reads its inputs, the end included;
     `record` (scans + 1, columns) and `report` are filled.
     """
+    first_input = ints[u(PLANT_INPUTS_AT)]
     y = memory[0 : ints[u(PLANT_OUTPUTS)]]
-    held = memory[ints[u(PLANT_INPUTS_AT)] : ints[u(PLANT_INPUTS_AT)] + ints[u(PLANT_INPUTS)]]
-    k = np.zeros((ints[u(STAGES)] + 1) * ints[u(STATES)])
-    dx = np.zeros(ints[u(STATES)])
-    base = np.zeros(ints[u(STATES)])
-    trial = np.zeros(ints[u(STATES)])
-    g0 = np.zeros(ints[u(EVENTS)])
-    g1 = np.zeros(ints[u(EVENTS)])
-    guess = np.zeros(1)
+    held = memory[first_input : first_input + ints[u(PLANT_INPUTS)]]
+    states, count = ints[u(STATES)], ints[u(EVENTS)]
+    nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
     progress = np.zeros(PROGRESS, dtype=np.int64)
-    nominal = floats[ints[u(STEP_AT)] + CYCLE]
-    latency = ints[u(LATENCY)]
-    guess[u(0)] = nominal
-    progress[u(ARMED)] = (1 << ints[u(EVENTS)]) - 1
+    work = np.zeros(work_size(ints[u(STAGES)], states))
+    dx, trial = np.zeros(states), np.zeros(states)
+    g0, g1 = np.zeros(count), np.zeros(count)
+    work[u(GUESS)] = nominal
+    progress[u(ARMED)] = (1 << count) - 1
     progress[u(MODE)] = transition(START, starts[u(0)] / 1e9, x, held, p, START)
     report[u(REPORT_STATUS)] = FINISHED
     for scan in range(ints[u(SCANS)] + 1):
-        t = starts[u(scan)] / 1e9
+        start = starts[u(scan)]
         if ints[u(SAMPLED)] == 1:
-            sample(t, x, p)
-        outputs(t, x, held, p, progress[u(MODE)], y)
-        cycle = nominal
-        if ints[u(MEASURED)] == 1 and scan > 0:
-            cycle = (starts[u(scan)] - starts[u(scan - 1)]) / 1e9
-        execute(ints, floats, memory, cycle)
-        if latency == 0:
+            sample(start / 1e9, x, p)
+        outputs(start / 1e9, x, held, p, progress[u(MODE)], y)
+        late = ints[u(MEASURED)] == 1 and scan > 0
+        execute(ints, floats, memory, (start - starts[u(scan - 1)]) / 1e9 if late else nominal)
+        if ints[u(LATENCY)] == 0:
             write_outputs(ints, floats, memory)
         unsound = first_unsound(ints, memory)
         if unsound >= 0:
-            report[u(REPORT_STATUS)], report[u(REPORT_INDEX)] = NOT_FINITE, unsound
+            report[u(REPORT_STATUS)] = NOT_FINITE
+            report[u(REPORT_INDEX)] = unsound
             break
         record_sample(ints, memory, record[scan])
         report[u(REPORT_SAMPLES)] = scan + 1
-        if scan == ints[u(SCANS)]:
+        if scan < ints[u(SCANS)] and not integrate_scan(
+            dynamics, events, transition, start, starts[u(scan + 1)], memory,
+            ints, floats, x, held, p, progress, work, dx, trial, g0, g1,
+        ):  # fmt: skip
+            report[u(REPORT_STATUS)] = progress[u(STATUS)]
+            report[u(REPORT_INDEX)] = progress[u(INDEX)]
             break
-        sound = True
-        begin = starts[u(scan)]
-        for piece in range(2):
-            end = starts[u(scan)] + latency if piece == 0 else starts[u(scan + 1)]
-            if sound and end > begin:
-                sound = advance(
-                    dynamics, events, transition, begin / 1e9, (end - begin) / 1e9, x, held, p,
-                    ints, floats, guess, progress, k, dx, base, trial, g0, g1,
-                )  # fmt: skip
-                begin = end
-            if piece == 0:
-                write_outputs(ints, floats, memory)
-        if not sound:
-            report[u(REPORT_STATUS)], report[u(REPORT_INDEX)] = progress[u(STATUS)], progress[u(INDEX)]
-            break
-    return report[u(REPORT_STATUS)]
+    return int(report[u(REPORT_STATUS)])

@@ -1,10 +1,9 @@
 """Wiring → Tape: slots for names, rows for blocks, three buffers for a run (`loop.layout`)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from fcl_sim.loop import layout
 from fcl_sim.loop.blocks import BLOCKS, TABLE
@@ -13,8 +12,8 @@ from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, Wire
 from fcl_sim.loop.order import signals_of
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.loop.wiring import Wiring
+from fcl_sim.loop.work import Floats, Ints
 from fcl_sim.units import parse_quantity, parse_unit
-
 
 LANES = 4
 """States are padded to a multiple of this, so that the integrator works in constant pieces."""
@@ -30,12 +29,12 @@ class Tape:
     """
 
     wiring: Wiring
-    ints: NDArray[np.int64]
-    floats: NDArray[np.float64]
-    memory: NDArray[np.float64]
-    x: NDArray[np.float64]
-    p: NDArray[np.float64]
-    starts: NDArray[np.int64]
+    ints: Ints
+    floats: Floats
+    memory: Floats
+    x: Floats
+    p: Floats
+    starts: Ints
     slots: Mapping[str, int]
     segments: tuple[tuple[int, int], ...]
     instances: Mapping[str, int]
@@ -76,18 +75,19 @@ def lower(wiring: Wiring) -> Tape:
         layout.SEGMENTS: len(segments),
         layout.SEGMENTS_AT: ints.append([word for segment in segments for word in segment]),
     }
-    buffer = ints.array(np.int64)
+    buffer = ints.integers()
     for word, value in head.items():
         buffer[word] = value
     declaration = diagram.plant.model.declaration
     return Tape(
         wiring=wiring,
         ints=buffer,
-        floats=floats.array(np.float64),
+        floats=floats.numbers(),
         memory=_initial_memory(diagram, memory),
         x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
         p=np.array(
-            [diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters], dtype=np.float64
+            [diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters],
+            dtype=np.float64,
         ),
         starts=scan_starts(diagram.timing),
         slots=memory.slots,
@@ -102,23 +102,24 @@ class _Buffer:
     def __init__(self, reserved: int) -> None:
         self._words: list[float] = [0] * reserved
 
-    def append(self, words: Sequence[float] | NDArray[np.generic]) -> int:
+    def append(self, words: Iterable[float]) -> int:
         """Append words; return where they begin."""
         at = len(self._words)
-        self._words.extend(words)  # type: ignore[arg-type]  numpy's scalars are numbers
+        self._words.extend(words)
         return at
 
     def __len__(self) -> int:
         return len(self._words)
 
-    def array(self, dtype: type[np.generic]) -> NDArray[np.generic]:
-        return np.array(self._words or [0], dtype=dtype)
+    def integers(self) -> Ints:
+        return np.array(self._words, dtype=np.int64)
+
+    def numbers(self) -> Floats:
+        return np.array(self._words, dtype=np.float64)
 
 
 def _share_out(diagram: Diagram, order: Sequence[Node | FuzzyNode]) -> _Memory:
-    plant = diagram.plant
-    declaration = plant.model.declaration
-    names = [f"{plant.name}.{each.name}" for each in (*declaration.outputs, *declaration.inputs)]
+    names = list(diagram.plant.signals)
     names += [node.name for node in order if isinstance(node, Node)]
     slots = {name: slot for slot, name in enumerate(names)}
     signals = size = len(names)
@@ -232,7 +233,7 @@ def _segments(diagram: Diagram, memory: _Memory) -> tuple[tuple[int, int], ...]:
     return ((0, memory.signals), *fuzzy)
 
 
-def _initial_memory(diagram: Diagram, memory: _Memory) -> NDArray[np.float64]:
+def _initial_memory(diagram: Diagram, memory: _Memory) -> Floats:
     initial = np.zeros(memory.size)
     plant = diagram.plant
     for each in plant.model.declaration.inputs:
@@ -244,6 +245,6 @@ def _initial_memory(diagram: Diagram, memory: _Memory) -> NDArray[np.float64]:
     return initial
 
 
-def _padded(values: Sequence[float], filling: float) -> NDArray[np.float64]:
+def _padded(values: Sequence[float], filling: float) -> Floats:
     size = -(-max(1, len(values)) // LANES) * LANES
     return np.array([*values, *[filling] * (size - len(values))], dtype=np.float64)

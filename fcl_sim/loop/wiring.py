@@ -42,7 +42,9 @@ def wire(diagram: Diagram) -> Wiring:
     faults += _unfit_blocks(diagram)
     _raise(faults)
     plain = Wiring(diagram=diagram, order=diagram.nodes, units={}, sources=sources)
-    order = in_order(diagram.nodes, lambda node: [plain.resolve(each).source for each in node.inputs.values()])
+    order = in_order(
+        diagram.nodes, lambda node: [plain.resolve(each).source for each in node.inputs.values()]
+    )
     units = _units(diagram, order, plain, faults)
     _raise(faults)
     return Wiring(diagram=diagram, order=order, units=units, sources=sources)
@@ -68,9 +70,7 @@ def _raise(faults: list[Diagnostic]) -> None:
 
 
 def _declared_signals(diagram: Diagram, faults: list[Diagnostic]) -> tuple[str, ...]:
-    plant = diagram.plant
-    declaration = plant.model.declaration
-    names = [f"{plant.name}.{each.name}" for each in (*declaration.outputs, *declaration.inputs)]
+    names = list(diagram.plant.signals)
     for node in diagram.nodes:
         for name in signals_of(node):
             if name in names or name in diagram.aliases:
@@ -151,7 +151,11 @@ def _unfit_parameters(node: Node) -> Iterator[Diagnostic]:
         if given is None and parameter.default is None:
             message = f"`{node.name}` needs its parameter `{name}`: {parameter.meaning}"
             yield fault("WIR103", message, node.span)
-        elif given is not None and parameter.unit is not None and not given.unit.commensurate(parse_unit(parameter.unit)):
+        elif (
+            given is not None
+            and parameter.unit is not None
+            and not given.unit.commensurate(parse_unit(parameter.unit))
+        ):
             message = f"`{name}` of `{node.name}` is in {given.unit}"
             yield fault("WIR201", message, node.span, f"it is {parameter.meaning}, in {parameter.unit}")
     if block.terms and not node.inputs:
@@ -191,17 +195,18 @@ def _units(
             continue  # a fault before it in the order was reported there
         if isinstance(node, FuzzyNode):
             units |= _fuzzy_units(node, known, faults)
-        else:
+        elif (rule := BLOCKS[node.type].unit) is not None:
             try:
-                units[node.name] = BLOCKS[node.type].unit(known, node.parameters)
+                units[node.name] = rule(known, node.parameters)
             except UnitError as error:
                 faults.append(fault("WIR201", f"`{node.name}`: {error}", node.span, error.hint))
     for declared in declaration.inputs:
         each = plant.inputs[declared.name]
         unit = units.get(plain.resolve(each).source)
         if unit is not None and not unit.same_as(parse_unit(declared.unit)):
-            message = f"`{plant.name}.{declared.name}` takes {declared.unit or '1'}, and `{each.source}` is in {unit}"
-            faults.append(fault("WIR201", message, each.span, _conversion(unit, parse_unit(declared.unit))))
+            wanted = parse_unit(declared.unit)
+            message = f"`{plant.name}.{declared.name}` takes {wanted}, and `{each.source}` is in {unit}"
+            faults.append(fault("WIR201", message, each.span, _conversion(unit, wanted)))
     units |= {name: units[source.source] for name, source in plain.sources.items() if source.source in units}
     return units
 

@@ -65,7 +65,9 @@ def _file_of(point: importlib.metadata.EntryPoint) -> Path:
     spec = importlib.util.find_spec(point.module)
     if spec is None or spec.origin is None:
         raise InputFault.at_file(
-            "PLT102", point.module, f"the entry point `{point.name}` of {GROUP} names a module that is not there"
+            "PLT102",
+            point.module,
+            f"the entry point `{point.name}` of {GROUP} names a module that is not there",
         )
     return Path(spec.origin)
 
@@ -78,7 +80,9 @@ def load(path: Path) -> PlantModel:
     try:
         text = path.read_bytes()
     except OSError as error:
-        raise InputFault.at_file("PLT102", str(path), f"the plant cannot be read: {error.strerror}") from error
+        raise InputFault.at_file(
+            "PLT102", str(path), f"the plant cannot be read: {error.strerror}"
+        ) from error
     digest = hashlib.sha256(text).hexdigest()
     module = _import(path, digest)
     plant = check_declaration(module, path)

@@ -19,6 +19,9 @@ from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Source, Span, nea
 from fcl_sim.plant.declaration import START, Plant
 from fcl_sim.plant.functions import ARGUMENTS, PARTS, REQUIRED
 
+MOST_EVENTS = 62
+"""The loop keeps a bit per event in one word."""
+
 
 class GuardedArray(np.ndarray[Any, np.dtype[np.float64]]):
     """An array that refuses what compiled code would silently accept."""
@@ -54,16 +57,22 @@ def check_declaration(module: ModuleType, path: Path) -> Plant:
             _refuse(
                 path, "PLT202", f"the plant has no function `{part}({', '.join(ARGUMENTS[part])})`", hint=hint
             )
-    groups = (plant.states, plant.inputs, plant.outputs, plant.parameters)
-    for group in groups:
-        names = [each.name for each in group]
+    groups = [[each.name for each in plant.states], [each.name for each in plant.inputs]]
+    groups += [[each.name for each in plant.outputs], [each.name for each in plant.parameters]]
+    for names in groups:
         for name in {name for name in names if names.count(name) > 1}:
             _refuse(path, "PLT203", f"the plant declares `{name}` twice")
     signals = {each.name for each in plant.outputs} & {each.name for each in plant.inputs}
     for name in sorted(signals):
         _refuse(path, "PLT203", f"`{name}` is an input and an output; signals of a plant have one name each")
+    if len(plant.events) > MOST_EVENTS:
+        _refuse(path, "PLT203", f"the plant declares {len(plant.events)} events; {MOST_EVENTS} are possible")
     if plant.events and not callable(getattr(module, "events", None)):
-        _refuse(path, "PLT202", f"the plant declares events but has no function `events({', '.join(ARGUMENTS['events'])})`")
+        _refuse(
+            path,
+            "PLT202",
+            f"the plant declares events but has no function `events({', '.join(ARGUMENTS['events'])})`",
+        )
     return plant
 
 
@@ -72,12 +81,16 @@ def check_functions(plant: Plant, functions: dict[str, Callable[..., Any]], path
     plain = _plain(functions, path)
     for part, function in plain.items():
         _check_arguments(part, function, path)
-    results = {"dynamics": plant.states, "outputs": plant.outputs, "events": plant.events}
+    results = {
+        "dynamics": [each.name for each in plant.states],
+        "outputs": [each.name for each in plant.outputs],
+        "events": [each.name for each in plant.events],
+    }
     for mode in range(len(plant.modes)):
-        for part, declared in results.items():
+        for part, names in results.items():
             if part in plain:
-                given = _call_filling(plain[part], plant, mode, len(declared), path)
-                _check_filled(part, given, [each.name for each in declared], plant.modes[mode].name, path, plain[part])
+                given = _call_filling(plain[part], plant, mode, len(names), path)
+                _check_filled(part, given, names, plant.modes[mode].name, path, plain[part])
         if "transition" in plain:
             for event in range(START, len(plant.events)):
                 _check_transition(plain["transition"], plant, event, mode, path)
@@ -88,7 +101,9 @@ def check_functions(plant: Plant, functions: dict[str, Callable[..., Any]], path
 
 def fault_in(path: Path, error: BaseException, message: str) -> InputFault:
     """Return the fault of an exception raised by a plant file's own code, at the guilty line."""
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    lines = [
+        frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)
+    ]
     line = error.lineno if isinstance(error, SyntaxError) else (lines[-1] if lines else None)
     span = _line_span(path, line) if line else None
     reason = error.msg if isinstance(error, SyntaxError) else f"{type(error).__name__}: {error}"

@@ -11,6 +11,9 @@ from fcl_sim.jit import Entry, F, f8, function_type, i8, signature, void
 
 Array = NDArray[np.float64]
 
+PlantFunction = Callable[..., Any]
+"""A plant function, as a kernel takes it."""
+
 _DERIVATIVE = (void, f8, F, F, F, i8, F)
 _TRANSITION = (i8, i8, f8, F, F, F, i8)
 _SAMPLE = (void, f8, F, F)
@@ -43,7 +46,7 @@ def events(t: float, x: Array, u: Array, p: Array, mode: int, g: Array) -> None:
     """No events."""
 
 
-def transition(i: int, t: float, x: Array, u: Array, p: Array, mode: int) -> int:
+def transition(i: int, t: float, x: Array, u: Array, p: Array, mode: int) -> int:  # noqa: ARG001  the contract
     """Stay in the mode; a run begins in mode 0."""
     return max(mode, 0)
 

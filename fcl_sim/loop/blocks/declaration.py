@@ -8,7 +8,10 @@ from fcl_sim.units import Quantity, Unit
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BlockParameter:
-    """A constant of a block; `unit` is what it must be commensurate with, None for any. No default: required."""
+    """A constant of a block, required where it has no default.
+
+    `unit` is what it must be commensurate with, None for any.
+    """
 
     name: str
     unit: str | None
@@ -17,7 +20,7 @@ class BlockParameter:
 
 
 UnitRule = Callable[[Mapping[str, Unit], Mapping[str, Quantity]], Unit]
-"""From the units of the inputs, by port, and the parameters to the unit of the output; UnitError if they clash."""
+"""From the units of the inputs, by port, and the parameters to the output's; UnitError if they clash."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,8 +30,8 @@ class BlockType:
     `ports` are its inputs. With `terms` it has any inputs, each with a gain,
     under that key. `equation` is the law, then the initial value. `states`
     counts its words of memory besides the output. `feedthrough` says whether
-    the output of a scan depends on the inputs of that scan. `number` gives each
-    parameter as the kernel takes it, in order.
+    the output of a scan depends on the inputs of that scan. `unit` is
+    None where the node itself declares units, as a fuzzy block does.
     """
 
     name: str
@@ -40,4 +43,4 @@ class BlockType:
     parameters: tuple[BlockParameter, ...] = ()
     states: int = 0
     feedthrough: bool = True
-    unit: UnitRule
+    unit: UnitRule | None

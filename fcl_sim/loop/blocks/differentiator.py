@@ -1,15 +1,10 @@
 """`differentiator`: first-order filtered difference."""
 
-from collections.abc import Mapping
-
 from fcl_sim.jit import inlined, u
 from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
 from fcl_sim.loop.layout import FIRST_INPUT, OUTPUT, PARAMETERS, STATE
-from fcl_sim.units import Quantity, Unit, parse_unit
-
-
-def _rate(inputs: Mapping[str, Unit], parameters: Mapping[str, Quantity]) -> Unit:
-    return inputs["input"] / parse_unit("s")
+from fcl_sim.loop.work import Floats, Ints
+from fcl_sim.units import parse_unit
 
 
 DIFFERENTIATOR = BlockType(
@@ -18,16 +13,18 @@ DIFFERENTIATOR = BlockType(
     equation="y_k = y_{k-1} + T/(Tf + T) * ((u_k - u_{k-1})/T - y_{k-1}); y_0 = 0",
     source="IEC 61131-7 A.3, differentiating element; backward difference of s/(1 + s Tf)",
     ports=("input",),
-    parameters=(BlockParameter(name="filter", unit="s", meaning="Tf, time constant of the lag", default="0 s"),),
+    parameters=(
+        BlockParameter(name="filter", unit="s", meaning="Tf, time constant of the lag", default="0 s"),
+    ),
     states=2,
-    unit=_rate,
+    unit=lambda inputs, _: inputs["input"] / parse_unit("s"),
 )
 
 PREVIOUS, BEGUN = 0, 1
 
 
 @inlined
-def differentiate(ints, floats, memory, at, cycle):
+def differentiate(ints: Ints, floats: Floats, memory: Floats, at: int, cycle: float) -> None:
     """Kernel of `differentiator`, `cycle` T in seconds; parameters: the input's sign, Tf."""
     parameters = ints[u(at + PARAMETERS)]
     state = ints[u(at + STATE)]
@@ -38,5 +35,7 @@ def differentiate(ints, floats, memory, at, cycle):
     else:
         before = memory[u(ints[u(at + OUTPUT)])]
         rate = (now - memory[u(state + PREVIOUS)]) / cycle
-        memory[u(ints[u(at + OUTPUT)])] = before + cycle / (floats[u(parameters + 1)] + cycle) * (rate - before)
+        memory[u(ints[u(at + OUTPUT)])] = before + cycle / (floats[u(parameters + 1)] + cycle) * (
+            rate - before
+        )
     memory[u(state + PREVIOUS)] = now

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from fcl_sim.jit import inlined, u
 from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
 from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, OUTPUT, PARAMETERS
+from fcl_sim.loop.work import Floats, Ints
 from fcl_sim.units import Quantity, Unit, UnitError
 
 
@@ -41,7 +42,7 @@ GAIN = BlockType(
 
 
 @inlined
-def weighted_sum(ints, floats, memory, at):
+def weighted_sum(ints: Ints, floats: Floats, memory: Floats, at: int) -> None:
     """Kernel of `sum`; the parameters are the gains, signs included."""
     total = 0.0
     gains = ints[u(at + PARAMETERS)]
@@ -51,7 +52,9 @@ def weighted_sum(ints, floats, memory, at):
 
 
 @inlined
-def gain(ints, floats, memory, at):
+def gain(ints: Ints, floats: Floats, memory: Floats, at: int) -> None:
     """Kernel of `gain`; parameters: the input's sign, the gain."""
     parameters = ints[u(at + PARAMETERS)]
-    memory[u(ints[u(at + OUTPUT)])] = floats[u(parameters + 1)] * (floats[u(parameters)] * memory[u(ints[u(at + FIRST_INPUT)])])
+    memory[u(ints[u(at + OUTPUT)])] = floats[u(parameters + 1)] * (
+        floats[u(parameters)] * memory[u(ints[u(at + FIRST_INPUT)])]
+    )
