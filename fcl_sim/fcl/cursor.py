@@ -107,6 +107,10 @@ class Cursor:
 
     # -- where to go on
 
+    def in_open_comment(self) -> bool:
+        """Return whether the rest of the text has become a comment, as the scanner has said."""
+        return self.last.kind is Kind.STRAY and self.last.key in {"(*", "/*"}
+
     def at_early_end(self) -> bool:
         """Return whether the text ends here, and not with an END."""
         return self.token.kind is Kind.END and not self.last.key.startswith("END")

@@ -7,7 +7,6 @@ from fcl_sim.fcl.sections import closes
 from fcl_sim.fcl.tokens import Kind, Token
 from fcl_sim.fcl.tree import Declaration, Declarations, Number
 
-KINDS = frozenset(("VAR_INPUT", "VAR_OUTPUT", "VAR"))
 OTHER_KINDS = frozenset(("VAR_IN_OUT", "VAR_EXTERNAL", "VAR_GLOBAL", "VAR_TEMP"))
 
 _QUALIFIERS = frozenset(("RETAIN", "NON_RETAIN", "CONSTANT"))

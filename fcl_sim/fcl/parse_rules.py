@@ -21,18 +21,18 @@ def rule_block(cursor: Cursor) -> RuleBlock:
     `statement ::= operator_definition | activation_method | accumulation_method | rule`.
     """
     opening = cursor.advance()
-    name = _block_name(cursor, opening)
+    name, damaged = _block_name(cursor, opening)
     settings: list[Setting] = []
     rules: list[Rule] = []
-    damaged = statements(
+    damaged |= statements(
         cursor,
         opening,
         "END_RULEBLOCK",
         {
-            "AND": lambda at: settings.append(choice(at, "an algorithm for AND", also=("OR",))),
-            "OR": lambda at: settings.append(choice(at, "an algorithm for OR", also=("AND",))),
-            "ACT": lambda at: settings.append(choice(at, "a method of activation")),
-            "ACCU": lambda at: settings.append(choice(at, "a method of accumulation")),
+            "AND": lambda at: settings.append(choice(at, "AND", "an algorithm for AND", also=("OR",))),
+            "OR": lambda at: settings.append(choice(at, "OR", "an algorithm for OR", also=("AND",))),
+            "ACT": lambda at: settings.append(choice(at, "ACT", "a method of activation")),
+            "ACCU": lambda at: settings.append(choice(at, "ACCU", "a method of accumulation")),
             "RULE": lambda at: rules.append(_rule(at, len(rules) + 1)),
             "IF": lambda at: rules.append(_bare_rule(at, len(rules) + 1)),
         },
@@ -42,16 +42,20 @@ def rule_block(cursor: Cursor) -> RuleBlock:
     )
 
 
-def _block_name(cursor: Cursor, opening: Token) -> Token | None:
+def _block_name(cursor: Cursor, opening: Token) -> tuple[Token | None, bool]:
+    """Return the name, and whether there is something in its place that is none."""
     token = cursor.token
     begins = token.key in _BEGINS_STATEMENT and cursor.ahead().key == ":"
     if begins or token.key in {"RULE", "IF", "END_RULEBLOCK"} or is_joined_rule(token, cursor.ahead()):
-        cursor.findings.warning("FCL218", "this rule block has no name", opening, hint="RULEBLOCK No1")
-        return None
+        hint = "write `RULEBLOCK No1`"
+        cursor.findings.warning("FCL218", "this rule block has no name", opening, hint)
+        return None, False
     try:
-        return cursor.name("the name of a rule block")
+        name = cursor.name("the name of a rule block")
     except Astray:
-        return None
+        return None, True
+    cursor.take(";")
+    return name, False
 
 
 def _rule(cursor: Cursor, number: int) -> Rule:

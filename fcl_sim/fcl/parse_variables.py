@@ -21,6 +21,7 @@ def fuzzify(cursor: Cursor) -> Fuzzify:
         "END_FUZZIFY",
         {"TERM": lambda at: terms.append(term(at)), "RANGE": _refuse_range},
     )
+    damaged = damaged or variable is None
     return Fuzzify(opening=opening, variable=variable, terms=tuple(terms), damaged=damaged)
 
 
@@ -40,13 +41,17 @@ def defuzzify(cursor: Cursor) -> Defuzzify:
         {
             "RANGE": lambda at: settings.append(output_range(at)),
             "TERM": lambda at: terms.append(term(at)),
-            "METHOD": lambda at: settings.append(choice(at, "a method of defuzzification")),
+            "METHOD": lambda at: settings.append(choice(at, "METHOD", "a method of defuzzification")),
             "DEFAULT": lambda at: settings.append(default_value(at)),
             "ACCU": _refuse_accumulation,
         },
     )
     return Defuzzify(
-        opening=opening, variable=variable, terms=tuple(terms), settings=tuple(settings), damaged=damaged
+        opening=opening,
+        variable=variable,
+        terms=tuple(terms),
+        settings=tuple(settings),
+        damaged=damaged or variable is None,
     )
 
 
@@ -60,7 +65,7 @@ def section_name(cursor: Cursor, what: str) -> Token | None:
     return name
 
 
-def choice(cursor: Cursor, what: str, also: tuple[str, ...] = ()) -> Setting:
+def choice(cursor: Cursor, key: str, what: str, also: tuple[str, ...] = ()) -> Setting:
     """Read `choice ::= keyword ':' keyword ';'` for METHOD, AND, OR, ACT and ACCU (5.4.1).
 
     Which algorithms there are is the resolver's knowledge. A keyword of `also`
@@ -68,13 +73,13 @@ def choice(cursor: Cursor, what: str, also: tuple[str, ...] = ()) -> Setting:
     """
     keyword = cursor.advance()
     try:
-        cursor.expect(":", keyword.key, instead=(":=", "="))
+        cursor.expect(":", key, instead=(":=", "="))
         chosen = cursor.name(what, frozenset((";",)))
         if cursor.token.key not in also:
             cursor.end_statement()
     except Astray:
-        return _unread(cursor, keyword)
-    return Setting(keyword, chosen)
+        return _unread(cursor, key, keyword)
+    return Setting(key, keyword, chosen)
 
 
 def default_value(cursor: Cursor) -> Setting:
@@ -87,8 +92,8 @@ def default_value(cursor: Cursor) -> Setting:
             raise _refused_default(cursor, chosen)
         cursor.end_statement()
     except Astray:
-        return _unread(cursor, keyword)
-    return Setting(keyword, chosen)
+        return _unread(cursor, "DEFAULT", keyword)
+    return Setting("DEFAULT", keyword, chosen)
 
 
 def output_range(cursor: Cursor) -> Setting:
@@ -104,13 +109,13 @@ def output_range(cursor: Cursor) -> Setting:
         cursor.expect(")", "the upper limit")
         cursor.end_statement()
     except Astray:
-        return _unread(cursor, keyword)
-    return Setting(keyword, Range(low, high))
+        return _unread(cursor, "RANGE", keyword)
+    return Setting("RANGE", keyword, Range(low, high))
 
 
-def _unread(cursor: Cursor, keyword: Token) -> Setting:
+def _unread(cursor: Cursor, key: str, keyword: Token) -> Setting:
     cursor.skip_statement()
-    return Setting(keyword, None)
+    return Setting(key, keyword, None)
 
 
 def _refused_default(cursor: Cursor, chosen: Token) -> Astray:

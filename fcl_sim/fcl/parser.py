@@ -1,21 +1,26 @@
 """Tokens → syntax tree: generous, and never in doubt where to go on (5.4.1)."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fcl_sim.diagnostics import Diagnostic, Span
-from fcl_sim.fcl.cursor import Cursor
+from fcl_sim.fcl.cursor import Astray, Cursor
 from fcl_sim.fcl.findings import Stretch
 from fcl_sim.fcl.keywords import ENDS, SECTIONS
-from fcl_sim.fcl.parse_declarations import KINDS, OTHER_KINDS, declarations
+from fcl_sim.fcl.parse_declarations import OTHER_KINDS, declarations
 from fcl_sim.fcl.parse_rules import rule_block
 from fcl_sim.fcl.parse_variables import defuzzify, fuzzify
-from fcl_sim.fcl.sections import Reader, report_unclosed, statements
+from fcl_sim.fcl.sections import Reader, closes, guess, report_unclosed
 from fcl_sim.fcl.tokens import Kind, Scan, Token
 from fcl_sim.fcl.tree import Block, Heading, Options, Section, Tree
 
 _END = "END_FUNCTION_BLOCK"
 _NO_NAME = SECTIONS | ENDS | {"FUNCTION_BLOCK"}
 _AFTER_NAME = _NO_NAME | {";"}
+_NEXT_BLOCK = frozenset(("FUNCTION_BLOCK",))
+_NEXT_SECTION = SECTIONS | {"FUNCTION_BLOCK", _END}
+_ALIKE = {"OPTION": "OPTIONS"} | dict.fromkeys(OTHER_KINDS, "VAR")
+"""Sections that are read like another one."""
 _OPTION_ENDS = ("END_OPTIONS", "END_OPTION")
 
 
@@ -41,7 +46,7 @@ def parse(scan: Scan) -> Parsing:
             blocks.append(function_block(cursor))
         else:
             verbatim.append(_pass_over(cursor, first=not blocks))
-    if not blocks and cursor.last.kind is not Kind.STRAY:
+    if not blocks and not cursor.in_open_comment():
         cursor.findings.error("FCL205", "there is no FUNCTION_BLOCK in this text", Stretch(0, 0))
     inside = [each for block in blocks for each in block.sections if isinstance(each, Options)]
     verbatim += [cursor.findings.span(each) for each in inside]
@@ -64,15 +69,39 @@ def function_block(cursor: Cursor) -> Block:
         cursor.advance()
         heading = _heading(cursor, opening)
     sections: list[Section] = []
-    readers: dict[str, Reader] = {each: _loose_end for each in ENDS if each != _END}
-    readers |= {each: lambda at: sections.append(declarations(at)) for each in sorted(KINDS | OTHER_KINDS)}
-    readers["FUZZIFY"] = lambda at: sections.append(fuzzify(at))
-    readers["DEFUZZIFY"] = lambda at: sections.append(defuzzify(at))
-    readers["RULEBLOCK"] = lambda at: sections.append(rule_block(at))
-    readers["OPTIONS"] = readers["OPTION"] = lambda at: sections.append(options(at))
-    damaged = statements(cursor, opening, _END, readers, outer=frozenset(("FUNCTION_BLOCK",)))
+    readers: dict[str, Reader] = {
+        "VAR_INPUT": lambda at: sections.append(declarations(at)),
+        "VAR_OUTPUT": lambda at: sections.append(declarations(at)),
+        "VAR": lambda at: sections.append(declarations(at)),
+        "FUZZIFY": lambda at: sections.append(fuzzify(at)),
+        "DEFUZZIFY": lambda at: sections.append(defuzzify(at)),
+        "RULEBLOCK": lambda at: sections.append(rule_block(at)),
+        "OPTIONS": lambda at: sections.append(options(at)),
+    }
+    damaged = False
+    while not closes(cursor, opening, _END, _NEXT_BLOCK, ENDS):
+        if cursor.take(";"):
+            continue
+        damaged |= not _read_section(cursor, opening, readers)
     cursor.take(";")
+    damaged |= cursor.at_early_end()
     return Block(opening=opening, heading=heading, sections=tuple(sections), damaged=damaged)
+
+
+def _read_section(cursor: Cursor, opening: Token, readers: Mapping[str, Reader]) -> bool:
+    """Read a section, or pass over what is none, up to the next one; return whether it was one."""
+    token = cursor.token
+    try:
+        reader = readers.get(_ALIKE.get(token.key, token.key))
+        if reader is None and token.key in ENDS:
+            message = f"{token.shown} closes nothing: no such section is open"
+            raise cursor.refuse("FCL203", message, token)
+        (reader or guess(cursor, opening, _END, readers))(cursor)
+    except Astray:
+        while cursor.token.key not in _NEXT_SECTION and cursor.token.kind is not Kind.END:
+            cursor.advance()
+        return False
+    return True
 
 
 def options(cursor: Cursor) -> Options:
@@ -93,7 +122,8 @@ def _begins_block(cursor: Cursor, *, first: bool) -> bool:
     token = cursor.token
     if token.key == "FUNCTION_BLOCK" or (first and token.key in SECTIONS):
         return True
-    if token.kind is Kind.NAME and cursor.findings.near(token.key, ("FUNCTION_BLOCK",)):
+    is_word = token.kind is Kind.NAME and not token.key.startswith("END")
+    if is_word and cursor.findings.near(token.key, ("FUNCTION_BLOCK",)):
         message = f"{token.shown} is not a keyword"
         cursor.findings.error("FCL204", message, token, hint="did you mean FUNCTION_BLOCK?")
         return True
@@ -117,11 +147,6 @@ def _heading(cursor: Cursor, opening: Token) -> Heading | None:
         message = "the function block's name is not an identifier (Open Level)"
         cursor.findings.note("FCL221", message, heading)
     return heading
-
-
-def _loose_end(cursor: Cursor) -> None:
-    token = cursor.advance()
-    cursor.findings.error("FCL203", f"{token.shown} closes nothing: no such section is open", token)
 
 
 def _skip_types(cursor: Cursor) -> None:

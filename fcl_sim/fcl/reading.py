@@ -1,5 +1,7 @@
 """Text → model, all stages in one go."""
 
+import sys
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -56,11 +58,12 @@ def read(text: str, name: str = "<text>") -> Reading:
 
 def _outside(diagnostics: Sequence[Diagnostic], verbatim: Sequence[Span]) -> list[Diagnostic]:
     """Return what the scanner found, without the words of stretches that are not FCL."""
+    stretches = sorted((each.start, each.end) for each in verbatim)
     kept = []
     for each in diagnostics:
         places = each.places
         if each.code in _CHARACTERS:
-            places = tuple(place for place in places if not _is_within(place, verbatim))
+            places = tuple(place for place in places if not _is_within(place, stretches))
         if places:
             kept.append(
                 Diagnostic(
@@ -74,6 +77,8 @@ def _outside(diagnostics: Sequence[Diagnostic], verbatim: Sequence[Span]) -> lis
     return kept
 
 
-def _is_within(place: Place, stretches: Sequence[Span]) -> bool:
-    span = place.span
-    return span is not None and any(each.start <= span.start < each.end for each in stretches)
+def _is_within(place: Place, stretches: Sequence[tuple[int, int]]) -> bool:
+    if place.span is None:
+        return False
+    at = bisect_right(stretches, (place.span.start, sys.maxsize)) - 1
+    return at >= 0 and place.span.start < stretches[at][1]

@@ -17,9 +17,9 @@ def settings_by_key(scope: Scope, settings: Iterable[Setting]) -> dict[str, Sett
     """Return the settings of a section by their keyword; a second one is reported."""
     by_key: dict[str, Setting] = {}
     for setting in settings:
-        first = by_key.setdefault(setting.keyword.key, setting)
+        first = by_key.setdefault(setting.key, setting)
         if first is not setting:
-            message = f"{setting.keyword.key} is given twice"
+            message = f"{setting.key} is given twice"
             scope.report_twice("FCL333", message, setting.keyword, first.keyword)
     return by_key
 
@@ -32,7 +32,7 @@ def algorithm(scope: Scope, setting: Setting, choices: type[Choice], what: str) 
     for choice in choices:
         if choice.upper() == token.key:
             return choice
-    if token.key in OPEN_LEVEL_METHODS and setting.keyword.key == "METHOD":
+    if token.key in OPEN_LEVEL_METHODS and setting.key == "METHOD":
         message = f"{token.shown} is a method of the Open Level, which this version does not read"
         scope.findings.error("FCL290", message, token)
         return None

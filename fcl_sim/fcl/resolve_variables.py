@@ -110,7 +110,7 @@ def _method(
         )
         return fitting
     if setting is None:
-        if not section.damaged:
+        if terms and not section.damaged:
             reason = "all terms are singletons" if fitting is Method.COGS else "the terms have an area"
             scope.findings.warning(
                 "FCL334",

@@ -40,6 +40,7 @@ def resolve(tree: Tree, name: str) -> Resolution:
 
 def _function_block(findings: Findings, block: Block, name: str, *, types: bool) -> FunctionBlock:
     scope = Scope(findings)
+    scope.incomplete = scope.headless = block.damaged
     sections = block.sections
     for each in sections:
         if isinstance(each, Declarations):
@@ -50,7 +51,7 @@ def _function_block(findings: Findings, block: Block, name: str, *, types: bool)
     rule_blocks = [resolve_rule_block(scope, each, number) for number, each in enumerate(written, start=1)]
     _check_names(scope, written)
     _check_accumulation(scope, rule_blocks)
-    if not (block.damaged or any(each.damaged for each in written)):
+    if not (block.damaged or scope.unknown or any(each.damaged for each in written)):
         _check_outputs(scope)
     scope.note_spellings()
     return FunctionBlock(

@@ -44,6 +44,7 @@ class Scope:
 
     `incomplete` says that a declaration could not be read, `headless` that the
     name behind a FUZZIFY or DEFUZZIFY could not: absence then proves nothing.
+    `unknown` says that a name was used that nobody declares.
     """
 
     def __init__(self, findings: Findings) -> None:
@@ -53,6 +54,7 @@ class Scope:
         self.concluded: set[str] = set()
         self.incomplete = False
         self.headless = False
+        self.unknown = False
         self._structures: set[str] = set()
         self._spellings: dict[str, dict[str, Token]] = {}
 
@@ -74,6 +76,7 @@ class Scope:
         if declared is not None:
             self.respell(token, declared.name)
             return declared
+        self.unknown = True
         if not self.incomplete and token.key not in self._structures:
             self.findings.error(
                 "FCL302", f"{token.shown} is not declared", token, lambda: self.variable_hint(token)

@@ -1,6 +1,6 @@
 """What every section has in common: statements up to its END, whatever is wrong in between."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
@@ -24,26 +24,19 @@ _HOMES = {
 }
 
 
-def statements(
-    cursor: Cursor,
-    opening: Token,
-    end: str,
-    readers: Mapping[str, Reader],
-    outer: frozenset[str] = _OUTER,
-) -> bool:
+def statements(cursor: Cursor, opening: Token, end: str, readers: Mapping[str, Reader]) -> bool:
     """Read statements, each by its first keyword, up to and with the keyword `end`.
 
-    Where a keyword of `outer` comes instead, the section was not closed.
     Return whether something was passed over, so that what is absent may have
     been meant.
     """
     damaged = False
-    while not closes(cursor, opening, end, readers, outer):
+    while not closes(cursor, opening, end):
         if cursor.take(";"):
             continue
         before = cursor.token
         try:
-            reader = readers.get(_keyword(cursor)) or _guess(cursor, opening, end, readers)
+            reader = readers.get(_keyword(cursor)) or guess(cursor, opening, end, readers)
             reader(cursor)
         except Astray:
             damaged = True
@@ -56,13 +49,14 @@ def closes(
     cursor: Cursor,
     opening: Token,
     end: str,
-    readers: Collection[str] = (),
     outer: frozenset[str] = _OUTER,
+    ends: frozenset[str] = frozenset(),
 ) -> bool:
     """Return whether the section that `opening` began is over; take its END.
 
-    Another END, or a misspelt one, is reported and taken for it. Where the
-    section was not closed, that is reported and left to the caller.
+    Where a keyword of `outer` comes instead, the section was not closed. Another
+    END, or a misspelt one, is reported and taken for it, unless it is one of
+    `ends`.
     """
     token = cursor.token
     if token.key == end:
@@ -71,7 +65,7 @@ def closes(
     if token.kind is Kind.END or token.key in outer:
         report_unclosed(cursor, opening, end)
         return True
-    if token.key.startswith("END") and token.key not in readers:
+    if token.key.startswith("END") and token.key not in ends:
         cursor.findings.error(
             "FCL203", f"{opening.key} is closed by {end}, not by {token.shown}", token, hint=f"write {end}"
         )
@@ -87,7 +81,7 @@ def report_unclosed(cursor: Cursor, opening: Token, end: str) -> None:
         message = f"{opening.key} is not closed"
         before = cursor.findings.place(token, f"{end} is expected before this")
         cursor.findings.error("FCL202", message, opening, hint=f"write {end}", related=(before,))
-    elif not (cursor.ended or cursor.last.kind is Kind.STRAY):
+    elif not (cursor.ended or cursor.in_open_comment()):
         cursor.ended = True
         message = f"{opening.key} is not closed when the text ends"
         cursor.findings.error("FCL202", message, opening, hint=f"write {end}")
@@ -99,7 +93,7 @@ def _keyword(cursor: Cursor) -> str:
     return cursor.token.key
 
 
-def _guess(cursor: Cursor, opening: Token, end: str, readers: Mapping[str, Reader]) -> Reader:
+def guess(cursor: Cursor, opening: Token, end: str, readers: Mapping[str, Reader]) -> Reader:
     """Report a word that begins no statement here; return the reader of the one that was probably meant."""
     token = cursor.token
     if token.kind is Kind.STRAY:
@@ -107,9 +101,8 @@ def _guess(cursor: Cursor, opening: Token, end: str, readers: Mapping[str, Reade
     message = f"{token.shown} does not begin a statement of {opening.key}"
     if token.key in _HOMES:
         raise cursor.refuse("FCL204", message, token, hint=f"{token.key} stands in {_HOMES[token.key]}")
-    known = [each for each in readers if not each.startswith("END")]
-    meant = cursor.findings.near(token.key, known) if token.kind is Kind.NAME else None
+    meant = cursor.findings.near(token.key, readers) if token.kind is Kind.NAME else None
     if meant is None:
-        raise cursor.refuse("FCL204", message, token, hint=f"valid here: {listed([*known, end])}")
+        raise cursor.refuse("FCL204", message, token, hint=f"valid here: {listed([*readers, end])}")
     cursor.findings.error("FCL204", message, token, hint=f"did you mean {meant}?")
     return readers[meant]

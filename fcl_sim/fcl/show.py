@@ -77,7 +77,7 @@ def _shape(source: Source, shape: tuple[tree.Pair, ...] | tree.Value | None) -> 
 
 def _settings(source: Source, settings: tuple[tree.Setting, ...]) -> Iterator[str]:
     for each in settings:
-        yield f"{STEP}{each.keyword.key}: {_words(source, each.value) if each.value else '?'}"
+        yield f"{STEP}{each.key}: {_words(source, each.value) if each.value else '?'}"
 
 
 def _rule(source: Source, rule: tree.Rule) -> Iterator[str]:

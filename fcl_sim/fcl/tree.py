@@ -83,9 +83,11 @@ class Range:
 class Setting:
     """A choice by keyword: `METHOD: CoGS`, `DEFAULT := 0`, `RANGE := (0 .. 1)`, `AND: MIN`.
 
-    `value` is None where it could not be read.
+    `key` is the keyword that is meant, `value` is None where it could not be
+    read.
     """
 
+    key: str
     keyword: Token
     value: Token | Number | Range | None
 
