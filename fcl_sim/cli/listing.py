@@ -57,7 +57,9 @@ def _line(value: Any, parts: Parts | None) -> str | None:
     if not parts:
         return "none"
     plain = not is_dataclass(value) and not isinstance(value, Mapping)
-    if not plain or any(_parts(part) is not None or isinstance(part, np.ndarray | Entry) for _, part in parts):
+    if not plain or any(
+        _parts(part) is not None or isinstance(part, np.ndarray | Entry) for _, part in parts
+    ):
         return None
     line = ", ".join(_scalar(part) for _, part in parts)
     return line if len(line) <= WIDTH else None

@@ -1,13 +1,18 @@
 """How far a command is: on a terminal only, on stderr, gone when it is done."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Protocol
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 
-Advance = Callable[[int, int, str], None]
-"""`advance(done, total, what)`: so many are done, and `what` is at work."""
+
+class Advance(Protocol):
+    """Moves a bar: so many are `done` of `total`, and `what` is at work."""
+
+    def __call__(self, done: int, total: int, what: str = "") -> None:
+        """Move the bar."""
 
 
 @contextmanager

@@ -1,0 +1,128 @@
+"""`fcl-sim run`: the main job."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from time import perf_counter
+
+import click
+from rich.console import Console
+
+from fcl_sim import testbench
+from fcl_sim.cli.benches import reports_folder, scenario_files
+from fcl_sim.cli.doors import Exit
+from fcl_sim.cli.progress import progress
+from fcl_sim.cli.table import print_verdicts
+from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.judge.verdict import Status
+from fcl_sim.loop import trace_file
+from fcl_sim.report import results, summary, writer
+from fcl_sim.scenario.document import shown
+from fcl_sim.scenario.overrides import setting
+from fcl_sim.testbench import Outcome
+
+PIPE_WIDTH = 120
+"""Width of the table where its reader is no terminal."""
+
+
+def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ...]) -> dict[str, object]:
+    """Return overrides by key; wrong usage where a text is not KEY=VALUE."""
+    try:
+        return dict(setting(text) for text in texts)
+    except InputFault as fault:
+        wrong = fault.diagnostics[0]
+        raise click.BadParameter(f"{wrong.message}: {wrong.hint}") from None
+
+
+@click.command()
+@click.argument("paths", metavar="[PATH]...", nargs=-1, type=click.Path(path_type=Path))
+@click.option(
+    "--set",
+    "overrides",
+    metavar="KEY=VALUE",
+    multiple=True,
+    callback=_settings,
+    help="Override a key of every scenario.",
+)
+@click.option("--reports", type=click.Path(path_type=Path), metavar="DIR", help="Write the reports there.")
+@click.option("--no-report", is_flag=True, help="Write no reports.")
+@click.option("--json", "as_json", is_flag=True, help="Print the results as one JSON document.")
+@click.option(
+    "--trace",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Write every signal to FILE, .csv or .npz; of several runs to FILE-SCENARIO-VARIANT each.",
+)
+def command(
+    *,
+    paths: tuple[Path, ...],
+    overrides: dict[str, object],
+    reports: Path | None,
+    no_report: bool,
+    as_json: bool,
+    trace: Path | None,
+) -> Exit:
+    """Simulate scenarios in closed loop, judge them, write reports.
+
+    PATH is a scenario or a folder of them; without one, the bench of the current folder is run, else the
+    shipped one. Reports are written to reports/ of the bench of the current folder, else of that folder itself.
+    """
+    files = scenario_files(paths)
+    folder = None if no_report else reports or reports_folder()
+    begun = perf_counter()
+    outcomes, faults = _simulate(files, overrides)
+    simulated = perf_counter()
+    if not as_json:
+        _print(outcomes)
+    if faults:
+        raise InputFault(faults)  # no report either: it would not say what is missing
+    if as_json:
+        click.echo(results.text(outcomes), nl=False)
+    written = _write_traces(outcomes, trace) if trace else []
+    if folder:
+        written += _write_report(outcomes, folder)[:1]
+    for file in written:
+        click.echo(f"written: {shown(file)}", err=as_json)
+    seconds = (simulated - begun, perf_counter() - simulated)
+    click.echo("simulation {:.1f} s, writing {:.1f} s".format(*seconds), err=as_json)
+    return Exit.GREEN if summary.overall(outcomes) is Status.PASS else Exit.VERDICT
+
+
+def _simulate(
+    files: Sequence[Path], overrides: Mapping[str, object]
+) -> tuple[list[Outcome], dict[Diagnostic, None]]:
+    """Run every scenario; return what came of those that could be run, and each fault of the others once."""
+    outcomes: list[Outcome] = []
+    faults: dict[Diagnostic, None] = {}
+    with progress("simulating") as advance:
+        for done, file in enumerate(files):
+            advance(done, len(files), file.stem)
+            try:
+                outcomes.append(testbench.run(file, overrides))
+            except InputFault as fault:
+                faults.update(dict.fromkeys(fault.diagnostics))
+    return outcomes, faults
+
+
+def _print(outcomes: Sequence[Outcome]) -> None:
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console.width = PIPE_WIDTH
+    print_verdicts(list(summary.rows(outcomes)), console)
+    if outcomes:
+        console.print(summary.sentence(outcomes), soft_wrap=True)
+
+
+def _write_traces(outcomes: Sequence[Outcome], file: Path) -> list[Path]:
+    runs = [(outcome.scenario.name, run) for outcome in outcomes for run in outcome.variants.values()]
+    written = []
+    for scenario, run in runs:
+        name = f"{file.stem}-{writer.slug(scenario)}-{writer.slug(run.variant)}{file.suffix}"
+        path = file if len(runs) == 1 else file.with_name(name)
+        trace_file.write(run.trace, path)
+        written.append(path)
+    return written
+
+
+def _write_report(outcomes: Sequence[Outcome], folder: Path) -> list[Path]:
+    with progress("writing reports") as advance:
+        return writer.write(outcomes, folder, advance)
