@@ -67,7 +67,7 @@ def test_a_missed_requirement_fails_with_the_first_interval_outside() -> None:
     assert verdict.status is Status.FAIL
     assert verdict.reason == (
         "The settling time of crane.distance is 39.12 s; at most 35 s is allowed, "
-        "violated from 35 s to 39.1 s."
+        "first violated from 35 s to 39.1 s."
     )
     assert verdict.violation == (35.0, 39.1)
 
@@ -78,7 +78,7 @@ def test_what_never_settles_fails_and_says_where_it_is() -> None:
     assert verdict.value is None
     assert verdict.reason == (
         "crane.distance does not settle: at 60 s it is at 13.72 m; at most 35 s is allowed, "
-        "violated from 35 s to 60 s."
+        "first violated from 35 s to 60 s."
     )
 
 
