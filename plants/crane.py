@@ -56,6 +56,7 @@ PLANT = Plant(
         Output("position", "m", "trolley, the target is at 0"),
         Output("speed", "m/s", "trolley"),
         Output("force", "kN", "drive force on the trolley"),
+        Output("rate", "deg/s", "of the angle"),
     ),
     parameters=(
         Parameter(
@@ -163,6 +164,7 @@ def outputs(t, x, u, p, mode, y):
     y[3] = x[0]
     y[4] = x[1]
     y[5] = x[4] / 1000.0
+    y[6] = degrees * x[3]
 
 
 def events(t, x, u, p, mode, g):

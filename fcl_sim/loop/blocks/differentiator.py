@@ -6,7 +6,6 @@ from fcl_sim.loop.layout import FIRST_INPUT, OUTPUT, PARAMETERS, STATE
 from fcl_sim.loop.work import Floats, Ints
 from fcl_sim.units import parse_unit
 
-
 DIFFERENTIATOR = BlockType(
     name="differentiator",
     summary="rate of change of a signal, filtered by a first-order lag",

@@ -6,7 +6,6 @@ from fcl_sim.loop.blocks.declaration import BlockType
 from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, PARAMETERS, STATE
 from fcl_sim.loop.work import Floats, Ints
 
-
 FUZZY = BlockType(
     name="fuzzy",
     summary="a fuzzy function block in FCL",
