@@ -29,7 +29,9 @@ def listing(value: Any, name: str = "") -> Iterator[str]:
     parts = _parts(value)
     line = _line(value, parts)
     if line is not None:
-        yield head + line
+        first, *more = line.splitlines()
+        yield head + first
+        yield from (f"{STEP}{each}".rstrip() for each in more)
         return
     title = type(value).__name__ if is_dataclass(value) else ""
     yield f"{head}{title}".rstrip()

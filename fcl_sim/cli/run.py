@@ -64,7 +64,8 @@ def command(
     """Simulate scenarios in closed loop, judge them, write reports.
 
     PATH is a scenario or a folder of them; without one, the bench of the current folder is run, else the
-    shipped one. Reports are written to reports/ of the bench of the current folder, else of that folder itself.
+    shipped one. Reports are written to reports/ of the bench of the current folder, else of
+    that folder itself.
     """
     files = scenario_files(paths)
     folder = None if no_report else reports or reports_folder()

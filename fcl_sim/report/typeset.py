@@ -3,6 +3,7 @@
 from datetime import UTC, datetime
 from importlib.resources import files
 from pathlib import Path
+from typing import Literal
 
 import matplotlib as mpl
 import typst
@@ -13,6 +14,14 @@ PPI = 160
 GALLERY = b"""
 #set page(width: auto, height: auto, margin: 0pt)
 #for each in json("gallery.json") { page(image(each)) }
+"""
+
+SHEET = b"""
+#set page(width: auto, height: auto, margin: 6mm, fill: white)
+#set text(font: "DejaVu Sans", size: 7.2pt)
+#for each in json("sheet.json") {
+  block(width: 166mm, image(each.file, alt: each.alt) + each.caption, below: 7mm)
+}
 """
 
 
@@ -37,6 +46,17 @@ def pngs(folder: Path) -> list[bytes]:
     """
     made = _compiler(folder).compile(GALLERY, format="png", ppi=PPI)
     return made if isinstance(made, list) else [made] if made else []
+
+
+def sheet(folder: Path, kind: Literal["png", "svg", "pdf"], date: datetime) -> bytes:
+    """Return the SVG files that `sheet.json` in `folder` names, below one another on one page."""
+    compiler = _compiler(folder)
+    if kind == "pdf":
+        made = compiler.compile(SHEET, format=kind, timestamp=date.astimezone(UTC))
+    else:
+        made = compiler.compile(SHEET, format=kind, ppi=PPI)
+    assert isinstance(made, bytes)  # noqa: S101  one page is one file
+    return made
 
 
 def _compiler(folder: Path) -> typst.Compiler:
