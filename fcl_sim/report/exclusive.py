@@ -63,7 +63,7 @@ def _wait_for(handle: int, folder: Path) -> None:
                 raise InputFault.at_file(
                     "RUN202",
                     str(folder),
-                    "another run is writing its reports here",
+                    "another run is writing its report here",
                     "wait for it to end, or name another folder",
                 ) from None
             time.sleep(0.05)

@@ -241,4 +241,4 @@ def _heading(axes: Axes, panel: Panel, names: float) -> None:
     axes.text(0.0, y, text, transform=axes.transAxes)
     x = (style.text_width(text) + 3.0) / ACROSS
     axes.text(x, y, panel.role, transform=axes.transAxes, color=style.FAINT, fontsize=style.SMALL)
-    axes.set_ylabel("degree  [1]", fontsize=style.SMALL)
+    axes.set_ylabel("degree [1]", fontsize=style.SMALL)

@@ -154,5 +154,5 @@ def _middles(edges: Values) -> Values:
 def _answer(
     block: Block, output: str, point: Mapping[str, float | Values], shape: tuple[int, ...]
 ) -> tuple[Values, NDArray[np.bool_]]:
-    values, active = block.evaluate_with_active(point)
-    return np.broadcast_to(values[output], shape), np.broadcast_to(active[output], shape)
+    found = block.evaluation(point)
+    return np.broadcast_to(found.outputs[output], shape), np.broadcast_to(found.active[output], shape)

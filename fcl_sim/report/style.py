@@ -1,6 +1,5 @@
 """The one style of all figures: sizes, colours, strokes, ticks."""
 
-import io
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -9,8 +8,6 @@ from typing import Any
 
 import matplotlib as mpl
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
@@ -19,10 +16,10 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from fcl_sim.report.words import number
 
+FONT = "DejaVu Sans"
+
 WIDTH = 166.0
 """Width of a figure in mm: the text column of the report."""
-
-PNG_DPI = 160
 
 INK = "#1b1f24"
 FAINT = "#5c6670"
@@ -49,7 +46,7 @@ NORMAL = 7.2
 
 RC: Mapping[Any, object] = MappingProxyType(
     {
-        "font.family": ["DejaVu Sans"],
+        "font.family": [FONT],
         "font.size": NORMAL,
         "text.parse_math": False,
         "text.color": INK,
@@ -114,24 +111,6 @@ def place(
     return figure.add_axes(box, sharex=share)
 
 
-def svg(figure: Figure) -> bytes:
-    """Return a figure as SVG whose text is text, the same bytes every time."""
-    out = io.BytesIO()
-    with styled():
-        FigureCanvasSVG(figure)
-        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
-    return out.getvalue()
-
-
-def png(figure: Figure) -> bytes:
-    """Return a figure as PNG, the same bytes every time."""
-    out = io.BytesIO()
-    with styled():
-        FigureCanvasAgg(figure)
-        figure.savefig(out, format="png", dpi=PNG_DPI, metadata={"Software": None})
-    return out.getvalue()
-
-
 def tidy(axes: Axes, across: int = 9, up: int = 4) -> None:
     """Give axes few round ticks with short labels, and a faint grid."""
     for axis, most in ((axes.xaxis, across), (axes.yaxis, up)):
@@ -161,7 +140,7 @@ def hatch_span(axes: Axes, start: float, end: float, top: float = 1.0) -> None:
 def text_width(text: str, size: float = NORMAL) -> float:
     """Return the width of one line of text in mm."""
     width, _, _ = text_to_path.get_text_width_height_descent(
-        text, FontProperties(family=["DejaVu Sans"], size=size), ismath=False
+        text, FontProperties(family=[FONT], size=size), ismath=False
     )
     return float(width) / 72.0 * 25.4
 

@@ -21,12 +21,11 @@ from fcl_sim.report.sampling import Curve, Surface, Track
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.words import bracketed, number
 
-LEFT, TOP, FOOT = 16.0, 5.0, 10.0
-PAIR, ALONE = 57.0, 128.0
-BETWEEN = 17.0
-HEIGHT = 58.0
-BAR = 3.0
-AFTER = 3.0
+TOP, HEIGHT = 5.0, 58.0
+BAR, BESIDE = 3.0, 3.0
+TICKS_LEFT, TICKS_BELOW, TICKS_BAR = 12.0, 6.0, 9.0
+LINE = 3.4
+"""Height of a line of a label in mm; what long names need is taken from the maps."""
 
 HALO = [withStroke(linewidth=2.6, foreground=style.PAPER)]
 
@@ -38,54 +37,60 @@ def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Fig
     open circle to a filled square.
     """
     with style.styled():
-        figure = style.blank(TOP + HEIGHT + FOOT)
-        width = ALONE if len(surfaces) == 1 else PAIR
-        scale = _scale(surfaces)
-        left = LEFT
-        for surface in surfaces:
-            axes = style.place(figure, left, TOP, width, HEIGHT)
+        first, scale = surfaces[0], _scale(surfaces)
+        up = style.wrapped(bracketed(first.up.name, first.up.unit), HEIGHT)
+        beside = style.wrapped(bracketed(first.name, first.unit), HEIGHT)
+        left = TICKS_LEFT + LINE * _lines(up)
+        bar = BESIDE + BAR + TICKS_BAR + LINE * _lines(beside)
+        width = (style.WIDTH - bar) / len(surfaces) - left
+        across = style.wrapped(bracketed(first.across.name, first.across.unit), width)
+        figure = style.blank(TOP + HEIGHT + TICKS_BELOW + LINE * _lines(across))
+        for index, surface in enumerate(surfaces):
+            axes = style.place(figure, left + index * (left + width), TOP, width, HEIGHT)
             _draw_map(axes, surface, scale)
-            style.tidy(axes, across=int(width / 9.0), up=6)
-            axes.grid(visible=False)
             _draw_undefined(axes, surface)
             if track is not None:
                 _draw_track(axes, track)
+            style.tidy(axes, across=int(width / 9.0), up=6)
+            axes.grid(visible=False)
+            axes.set(xlabel=across, ylabel=up)
             axes.set_title(surface.title, loc="left", pad=3.0, fontsize=style.SMALL, color=style.FAINT)
-            left += width + BETWEEN
-        bar = style.place(figure, left - BETWEEN + AFTER, TOP, BAR, HEIGHT)
-        figure.colorbar(
-            ScalarMappable(scale, style.heat()),
-            cax=bar,
-            ticks=_levels(scale),
-            format=FuncFormatter(lambda value, _: number(value, 6)),
-        )
-        bar.set_ylabel(style.wrapped(bracketed(surfaces[0].name, surfaces[0].unit), HEIGHT))
-        bar.tick_params(length=2.0, width=0.5)
+        _draw_bar(style.place(figure, style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT), scale, beside)
     return figure
+
+
+def _lines(label: str) -> int:
+    return label.count("\n") + 1
+
+
+def _draw_bar(axes: Axes, scale: Normalize, label: str) -> None:
+    shown = ScalarMappable(scale, style.heat())
+    number_format = FuncFormatter(lambda value, _: number(value, 6))
+    axes.figure.colorbar(shown, cax=axes, ticks=_levels(scale), format=number_format)
+    axes.set_ylabel(label)
+    axes.tick_params(length=2.0, width=0.5)
 
 
 def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
     """Return the output over the one input, hatched where no rule is active, with the visited stretch."""
     with style.styled():
-        figure = style.blank(TOP + HEIGHT + FOOT)
-        axes = style.place(figure, LEFT, TOP, style.WIDTH - LEFT - 4.0, HEIGHT)
-        axes.plot(
-            curve.x,
-            np.where(curve.undefined, np.nan, curve.values),
-            color=style.COLOURS[0],
-            linewidth=1.3,
-            zorder=4,
-        )
+        up = style.wrapped(bracketed(curve.name, curve.unit), HEIGHT)
+        margin = TICKS_LEFT + LINE * _lines(up)
+        width = style.WIDTH - margin - 4.0
+        across = style.wrapped(bracketed(curve.across.name, curve.across.unit), width)
+        figure = style.blank(TOP + HEIGHT + TICKS_BELOW + LINE * _lines(across))
+        axes = style.place(figure, margin, TOP, width, HEIGHT)
+        values = np.where(curve.undefined, np.nan, curve.values)
+        axes.plot(curve.x, values, color=style.COLOURS[0], linewidth=1.3, zorder=4)
         for start, end in stretches(curve.undefined):
             style.hatch_span(
                 axes, float(curve.x[max(start - 1, 0)]), float(curve.x[min(end, len(curve.x) - 1)])
             )
         axes.set_xlim(curve.x[0], curve.x[-1])
-        style.tidy(axes, up=7)
+        style.tidy(axes, across=14, up=7)
         if track is not None:
             _draw_track(axes, track)
-        axes.set_xlabel(bracketed(curve.across.name, curve.across.unit))
-        axes.set_ylabel(style.wrapped(bracketed(curve.name, curve.unit), HEIGHT))
+        axes.set(xlabel=across, ylabel=up)
     return figure
 
 
@@ -117,8 +122,6 @@ def _draw_map(axes: Axes, surface: Surface, scale: Normalize) -> None:
         )
     axes.set_xlim(surface.x[0], surface.x[-1])
     axes.set_ylim(surface.y[0], surface.y[-1])
-    axes.set_xlabel(style.wrapped(bracketed(surface.across.name, surface.across.unit), 60.0))
-    axes.set_ylabel(style.wrapped(bracketed(surface.up.name, surface.up.unit), HEIGHT))
 
 
 def _draw_undefined(axes: Axes, surface: Surface) -> None:

@@ -21,6 +21,7 @@ LEFT, RIGHT = 15.0, 15.0
 ACROSS = style.WIDTH - LEFT - RIGHT
 HEADING = 4.4
 GAP = 2.6
+AFTER = 3.0
 FOOT = 9.0
 TALL, LOW = 22.0, 13.0
 """Heights in mm of an axis with a requirement and of one without."""
@@ -104,25 +105,24 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     each marks its own along the upper edge.
     """
     with style.styled():
-        headings = [_heading_text(lane, runs) for lane in shown]
-        labels = [run.label for run in runs] if len(runs) > 1 else []
+        headings = [_heading_texts(lane, runs) for lane in shown]
+        labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
         top = legend_height(labels)
-        total = sum(
-            lane.height + HEADING * (text.count("\n") + 1) for lane, text in zip(shown, headings, strict=True)
-        )
-        figure = style.blank(top + total + (len(shown) - 1) * GAP + FOOT)
+        above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
+        total = sum(above) + sum(lane.height for lane in shown) + (len(shown) - 1) * GAP
+        figure = style.blank(top + total + FOOT)
         draw_legend(figure, labels)
         last: Axes | None = None
-        for lane, text in zip(shown, headings, strict=True):
-            top += HEADING * (text.count("\n") + 1)
+        for lane, texts, heading in zip(shown, headings, above, strict=True):
+            top += heading
             axes = style.place(figure, LEFT, top, ACROSS, lane.height, last)
             _draw_lane(axes, lane, runs)
-            _heading(axes, text, lane, runs)
+            _heading(axes, texts, lane, runs)
             axes.tick_params(labelbottom=lane is shown[-1])
             last = axes
             top += lane.height + GAP
         if last is not None:
-            last.set_xlabel("time  [s]")
+            last.set_xlabel("time [s]")
             last.set_xlim(0.0, max(run.duration for run in runs))
     return figure
 
@@ -144,13 +144,14 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
     axes.plot(time, values, color=colour, linestyle=dashes, linewidth=width, zorder=5 - 0.1 * index)
     low, high = axes.get_ylim()
     if len(time) and low <= values[-1] <= high:
-        axes.plot(time[-1:], values[-1:], "o", color=colour, markersize=3.2, clip_on=False, zorder=6)
+        mark, size = ("o", 3.2) if run.trace.fault is None else ("X", 5.0)
+        axes.plot(time[-1:], values[-1:], mark, color=colour, markersize=size, clip_on=False, zorder=6)
     violations = [
         each.violation for each in run.verdicts if each.requirement.signal in lane.names and each.violation
     ]
     draw_violations(axes, violations, None if alone else (index, colour))
-    if run.trace.fault is not None:
-        _mark_fault(axes, run.trace.fault.tick / 1e9, run, alone=alone)
+    if alone and run.trace.fault is not None:
+        _mark_fault(axes, run.trace.fault.tick / 1e9, run.duration)
     if alone:
         _mark_undefined(axes, lane, run.trace)
 
@@ -176,24 +177,27 @@ def _limits(values: Sequence[Values], bands: Mapping[Band, Sequence[str]]) -> tu
     return low - margin, high + margin
 
 
-def _heading_text(lane: Lane, runs: Sequence[Shown]) -> str:
-    room = ACROSS - style.text_width(_end_text(lane, runs), style.SMALL) - 4.0
-    return style.wrapped(bracketed(lane.names[0], lane.unit), room)
-
-
-def _heading(axes: Axes, text: str, lane: Lane, runs: Sequence[Shown]) -> None:
-    end = _end_text(lane, runs)
-    axes.annotate(text, (0, 1), (0, 2.5), "axes fraction", "offset points", va="baseline", linespacing=1.15)
-    quiet: dict[str, Any] = {"color": style.FAINT, "fontsize": style.SMALL}
-    axes.annotate(end, (1, 1), (0, 2.5), "axes fraction", "offset points", ha="right", **quiet)
+def _heading_texts(lane: Lane, runs: Sequence[Shown]) -> tuple[str, str]:
+    """Return what stands above an axis and a remark after it; long names take lines and the remark in."""
+    name = bracketed(lane.names[0], lane.unit)
     remark = (
-        "close to its bounds" if lane.focus else ", ".join(f"= {one_line(each)}" for each in lane.names[1:])
+        "close to its bounds" if lane.focus else "".join(f"= {one_line(each)} " for each in lane.names[1:])
     )
-    left = style.text_width(text.rpartition("\n")[2]) + 3.0
-    room = ACROSS - style.text_width(end, style.SMALL) - left - 4.0
-    if room > 10.0:
-        remark = style.cut(remark, room, style.SMALL)
-        axes.annotate(remark, (0, 1), (left / 25.4 * 72.0, 2.5), "axes fraction", "offset points", **quiet)
+    end = style.text_width(_end_text(lane, runs), style.SMALL)
+    if style.text_width(f"{name}  {remark}") + end < ACROSS - AFTER:
+        return name, remark
+    return style.wrapped(f"{name}  {remark}", ACROSS - AFTER - end), ""
+
+
+def _heading(axes: Axes, texts: tuple[str, str], lane: Lane, runs: Sequence[Shown]) -> None:
+    text, remark = texts
+    axes.annotate(text, (0, 1), (0, 1.2), "axes fraction", "offset points", va="bottom")
+    quiet: dict[str, Any] = {"va": "bottom", "color": style.FAINT, "fontsize": style.SMALL}
+    if remark:
+        left = (style.text_width(text) + AFTER) / 25.4 * 72.0
+        axes.annotate(remark, (0, 1), (left, 1.2), "axes fraction", "offset points", **quiet)
+    end = _end_text(lane, runs)
+    axes.annotate(end, (1, 1), (0, 1.2), "axes fraction", "offset points", ha="right", **quiet)
 
 
 def _end_text(lane: Lane, runs: Sequence[Shown]) -> str:
@@ -202,15 +206,18 @@ def _end_text(lane: Lane, runs: Sequence[Shown]) -> str:
     return f"ends at {with_unit(float(runs[0].trace[lane.signal][-1]), lane.unit)}"
 
 
-def _mark_fault(axes: Axes, at: float, run: Shown, *, alone: bool) -> None:
-    """Draw where a run ended early; of a lone run, what is missing is grey."""
-    if alone:
-        axes.axvspan(at, max(at, run.duration), facecolor=style.UNDEFINED, linewidth=0, zorder=3)
+def _legend_text(run: Shown) -> str:
+    fault = run.trace.fault
+    return run.label if fault is None else f"{run.label} (FAULT at {number(fault.tick / 1e9)} s)"
+
+
+def _mark_fault(axes: Axes, at: float, duration: float) -> None:
+    """Draw where a run ended early; what is missing is grey."""
+    axes.axvspan(at, max(at, duration), facecolor=style.UNDEFINED, linewidth=0, zorder=3)
     axes.axvline(at, color=style.INK, linewidth=1.4, zorder=7)
-    right = at > 0.7 * run.duration
-    who = "" if alone else f" of {style.cut(one_line(run.label), 30.0, style.SMALL)}"
+    right = at > 0.7 * duration
     axes.annotate(
-        f"FAULT{who} at {number(at)} s",
+        f"FAULT at {number(at)} s",
         (at, 0.86),
         (-4 if right else 4, 0),
         ("data", "axes fraction"),

@@ -7,11 +7,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.report import results, style, typeset
+from fcl_sim.report import results, typeset
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.provenance import date_of
+from fcl_sim.report.vector import svg
 from fcl_sim.testbench import Outcome
 
 PDF = "report.pdf"
@@ -79,7 +80,7 @@ class Shelf:
             progress(done, len(self._pictures))
             file = work / f"{name}.svg"
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(style.svg(picture.draw()))
+            file.write_bytes(svg(picture.draw()))
         progress(len(self._pictures), len(self._pictures))
 
     def export(self, work: Path) -> list[str]:

@@ -1,0 +1,188 @@
+"""Characteristics: undefined regions told exactly, the run drawn over them, nothing cut."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fcl_sim.block import loads
+from fcl_sim.loop.trace import FuzzyRecord
+from fcl_sim.report.characteristics import characteristic, over_inputs
+from fcl_sim.report.sampling import closer, curve, domains, following, surface
+from fcl_sim.report.surface import thinned_path
+from tests.report.legible import clashes, cut, texts
+from tests.report.synthetic import EVIL, LONG, ONE_INPUT, THREE_INPUTS, crane, run
+
+UNITS = {"distance": "m", "angle": "deg", "power": "kW"}
+
+
+def record(block, **columns) -> FuzzyRecord:
+    count = len(next(iter(columns.values())))
+    return FuzzyRecord(
+        input_names=block.inputs,
+        output_names=block.outputs,
+        rule_labels=("1",),
+        inputs=np.column_stack([columns[name] for name in block.inputs]),
+        outputs=np.column_stack([columns.get(name, np.zeros(count)) for name in block.outputs]),
+        degrees=np.zeros((count, 1)),
+        active=np.ones((count, len(block.outputs)), dtype=bool),
+    )
+
+
+@pytest.mark.parametrize(
+    ("distance", "angle", "share"),
+    [((-10, 40), (-60, 60), 43 / 80), ((-10, 40), (-10, 10), 13 / 40), ((-10, 30), (-90, 90), 179 / 288)],
+)
+def test_the_share_without_a_rule_of_the_printed_crane_is_exact(distance, angle, share):
+    block = crane()
+    across, up = domains(block.function_block, UNITS)
+    plane = (
+        replace(across, low=distance[0], high=distance[1]),
+        replace(up, low=angle[0], high=angle[1]),
+    )
+    found = surface(block, "power", plane, {}, "kW", "")
+    area = np.diff(found.y)[:, None] * np.diff(found.x)[None, :]
+    assert area[found.undefined].sum() / area.sum() == pytest.approx(share, rel=1e-12)
+
+
+def test_a_map_shows_what_the_block_gives_in_the_middle_of_each_cell():
+    block = crane()
+    across, up = domains(block.function_block, UNITS)
+    found = surface(block, "power", (across, up), {}, "kW", "")
+    row, column = 17, 143
+    x = (found.x[column] + found.x[column + 1]) / 2.0
+    y = (found.y[row] + found.y[row + 1]) / 2.0
+    assert found.values[row, column] == block.evaluate({"distance": x, "angle": y})["power"]
+
+
+def test_a_curve_is_undefined_between_terms_that_do_not_meet():
+    block = loads(ONE_INPUT)
+    (level,) = domains(block.function_block, {"level": "m"})
+    found = curve(block, "opening", level, {}, "%")
+    inside = (found.x >= 2.0) & (found.x <= 5.0)
+    assert np.array_equal(found.undefined, inside)
+
+
+def test_domains_cover_all_terms_and_have_their_units():
+    across, up = domains(crane().function_block, {"DISTANCE": "m", "angle": "deg"})
+    assert (across.unit, up.unit) == ("m", "deg")
+    assert across.low < -5.0 < 22.0 < across.high
+    assert across.knots == (-5.0, 0.0, 5.0, 10.0, 22.0)
+
+
+def test_a_degree_brought_in_from_outside_goes_from_0_to_1():
+    text = ONE_INPUT.replace("level: REAL;", "level: REAL; damp: REAL;").replace(
+        "IF level IS low", "IF level IS low AND damp"
+    )
+    damp = domains(loads(text).function_block, {})[1]
+    assert (damp.name, damp.low, damp.high) == ("damp", 0.0, 1.0)
+
+
+RUNS = st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=20).map(np.array)
+
+
+@given(RUNS)
+def test_a_domain_follows_a_run_within_reason_and_never_shrinks(values):
+    (level,) = domains(loads(ONE_INPUT).function_block, {})
+    wider = following(level, values)
+    span = level.high - level.low
+    assert wider.low <= level.low
+    assert wider.high >= level.high
+    assert wider.high - wider.low <= 5.0 * span * (1 + 1e-12)
+
+
+def test_the_closer_look_is_taken_only_where_it_shows_more():
+    plane = domains(crane().function_block, UNITS)
+    whole = [np.linspace(each.low, each.high, 9) for each in plane]
+    assert closer(plane, whole) is None
+    near = closer(plane, [whole[0], np.array([-4.0, 4.0])])
+    assert near is not None
+    assert -6.0 < near[1].low < -4.0 < 4.0 < near[1].high < 6.0
+
+
+@given(RUNS, RUNS)
+def test_a_thinned_path_keeps_its_ends(x, y):
+    count = min(len(x), len(y))
+    x, y = x[:count], y[:count]
+    kept_x, kept_y = thinned_path(x, y, (1.0, 1.0))
+    assert (kept_x[0], kept_y[0], kept_x[-1], kept_y[-1]) == (x[0], y[0], x[-1], y[-1])
+
+
+def test_two_inputs_make_a_map_with_the_run_on_it(tmp_path):
+    (picture,) = over_inputs(run(tmp_path))
+    assert picture.name == "base-controller.rules"
+    assert picture.caption == "Run base: power over distance and angle. Hatched: no rule is active."
+    assert "no rule is active on" in picture.alt
+    assert "The run goes from (25 m, 0 deg) to" in picture.alt.replace("\N{NO-BREAK SPACE}", " ")
+    figure = picture.draw()
+    drawn = [text for text, _ in texts(figure)]
+    assert {"distance [m]", "angle [deg]", "power [kW]"} <= set(drawn)
+    assert any(patch.get_hatch() for axes in figure.axes for patch in axes.patches)
+
+
+def test_one_input_makes_a_curve():
+    block = loads(ONE_INPUT)
+    level = np.linspace(0.0, 8.0, 30)
+    seen = record(block, level=level, opening=np.zeros(30))
+    (picture,) = characteristic(block, {"level": "m", "opening": "%"}, "valve", seen)
+    assert picture.alt.startswith("Curve of opening over level")
+    figure = picture.draw()
+    assert {"level [m]", "opening [%]"} <= {text for text, _ in texts(figure)}
+
+
+def test_of_more_inputs_the_two_that_moved_most_are_drawn_and_the_others_held_at_their_median():
+    block = loads(THREE_INPUTS)
+    step = np.linspace(0.0, 1.0, 11)
+    seen = record(block, a=step, b=0.25 + 0.0 * step, c=step**2)
+    pictures = characteristic(block, {}, "mixer", seen)
+    assert [each.name for each in pictures] == ["mixer-u", "mixer-v"]
+    assert pictures[0].caption == "u over a and c; b = 0.25 held at the run's median."
+
+
+def test_without_a_run_the_others_are_held_in_the_middle():
+    picture = characteristic(loads(THREE_INPUTS), {}, "mixer")[0]
+    assert picture.caption == "u over a and b; c = 0.5 held."
+
+
+def test_a_run_that_stood_still_can_be_drawn():
+    block = crane()
+    still = record(block, distance=np.full(5, 10.0), angle=np.zeros(5))
+    for picture in characteristic(block, UNITS, "still", still):
+        picture.draw()
+
+
+def test_a_run_with_values_that_are_not_finite_can_be_drawn():
+    block = crane()
+    broken = record(block, distance=np.array([10.0, np.nan]), angle=np.array([0.0, np.inf]))
+    never = record(block, distance=np.full(2, np.nan), angle=np.full(2, np.nan))
+    for seen in (broken, never):
+        for picture in characteristic(block, UNITS, "broken", seen):
+            picture.draw()
+
+
+def renamed(text: str) -> str:
+    for name in ("distance", "angle", "power"):
+        text = text.replace(name, f"{name}_{LONG.replace('.', '_').replace('/', '_')}")
+    return text
+
+
+@pytest.mark.parametrize("text", [None, ONE_INPUT, THREE_INPUTS], ids=["crane", "one", "three"])
+@pytest.mark.parametrize("unit", ["", "m", EVIL])
+def test_no_text_is_cut_and_no_two_meet(text, unit):
+    block = loads(text) if text else crane()
+    units = dict.fromkeys((*block.inputs, *block.outputs), unit)
+    for picture in characteristic(block, units, "x"):
+        figure = picture.draw()
+        assert cut(figure) == []
+        assert clashes(figure) == []
+
+
+def test_long_names_wrap(tmp_path):
+    from tests.report.synthetic import CRANE
+
+    for picture in characteristic(loads(renamed(CRANE)), {}, "x"):
+        figure = picture.draw()
+        assert cut(figure) == []
+        assert clashes(figure) == []

@@ -1,0 +1,126 @@
+"""Terms: each where it lies, named, singletons as stems, with what runs visited."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fcl_sim.block import loads
+from fcl_sim.loop.trace import FuzzyRecord
+from fcl_sim.model import Point, Points, Singleton, Term
+from fcl_sim.report.characteristics import memberships
+from fcl_sim.report.memberships import Panel, Visit, membership_plot, panels
+from fcl_sim.report.terms import abscissae, extent, settled
+from tests.report.legible import clashes, cut, texts
+from tests.report.synthetic import EVIL, LONG, THREE_INPUTS, crane
+
+UNITS = {"distance": "m", "angle": "deg", "power": "kW"}
+
+
+def drawn(*visits: Visit):
+    return membership_plot(panels(crane().function_block, UNITS, {"distance": visits}))
+
+
+def test_every_variable_has_an_axis_with_its_unit_and_every_term_its_name():
+    shown = [text for text, _ in texts(drawn())]
+    assert {"distance [m]", "angle [deg]", "power [kW]", "degree [1]"} <= set(shown)
+    for term in ("too_far", "medium", "neg_small", "pos_big", "neg_high", "pos_medium"):
+        assert term in shown
+    assert shown.count("zero") == 3
+
+
+def test_singletons_are_stems_at_their_places():
+    figure = drawn()
+    stems = [line.get_xdata()[0] for line in figure.axes[2].lines if len(line.get_xdata()) == 1]
+    assert sorted(stems) == [-27.0, -9.0, 0.0, 9.0, 27.0]
+
+
+def test_a_term_is_drawn_from_its_first_degree_above_0_to_its_last():
+    figure = drawn()
+    close = next(line for line in figure.axes[0].lines if list(line.get_xdata()) == [0.0, 5.0, 10.0])
+    assert list(close.get_ydata()) == [0.0, 1.0, 0.0]
+
+
+def test_what_a_run_visited_widens_the_axis_within_reason():
+    near, far = (drawn(Visit("base", low, 30.0)).axes[0].get_xlim() for low in (-20.0, -1e9))
+    assert near[0] < -20.0
+    assert -100.0 < far[0] < -50.0
+
+
+def test_letter_case_of_variables_does_not_matter():
+    panel = panels(crane().function_block, {"DISTANCE": "m"}, {"Distance": [Visit("base", 0.0, 1.0)]})[0]
+    assert (panel.unit, len(panel.visits)) == ("m", 1)
+
+
+@pytest.mark.parametrize(
+    "visits",
+    [
+        [],
+        [Visit("base", -0.4, 25.0), Visit("raw_distance", -12.0, -11.9), Visit("right", 24.9, 25.0)],
+        [Visit(LONG, -30.0, 30.0), Visit(EVIL, 3.0, 3.0), Visit(LONG + EVIL, -5.0, -4.0)],
+        [Visit("run away", -1e9, 1e9)],
+    ],
+    ids=["none", "several", "long names", "far away"],
+)
+def test_no_text_is_cut_and_no_two_meet(visits):
+    figure = drawn(*visits)
+    assert cut(figure) == []
+    assert clashes(figure) == []
+
+
+NAMES = st.text("abcdefghij_", min_size=1, max_size=40)
+
+
+@settings(max_examples=12)
+@given(st.lists(st.tuples(NAMES, st.floats(-10.0, 10.0)), min_size=1, max_size=12))
+def test_names_of_terms_do_not_meet_however_close_they_lie(terms):
+    panel = Panel(
+        variable="x",
+        role="output",
+        unit="",
+        terms=[Term(name, Singleton(value)) for name, value in terms],
+        visits=[],
+        low=-10.0,
+        high=10.0,
+    )
+    figure = membership_plot([panel])
+    assert cut(figure) == []
+    assert clashes(figure) == []
+
+
+def test_points_moved_by_variables_stand_at_their_initial_values_and_never_fall():
+    term = Term("t", Points((Point(1.0, 0.0), Point("Limit", 1.0), Point(5.0, 0.0))))
+    assert abscissae(term, {"limit": 3.0}) == [1.0, 3.0, 5.0]
+    moved = settled(term, {"limit": 9.0})
+    assert [point.x for point in moved.shape.points] == [1.0, 9.0, 9.0]
+
+
+@pytest.mark.parametrize(("value", "low", "high"), [(0.0, -1.0, 1.0), (4.0, 0.0, 8.0)])
+def test_around_a_lone_place_there_is_room(value, low, high):
+    assert extent([Term("t", Singleton(value))], {}) == (low, high)
+
+
+def test_many_runs_are_drawn_as_one():
+    block = crane()
+    visited = {
+        f"run {index}": FuzzyRecord(
+            block.inputs, block.outputs, ("1",), np.full((2, 2), index), np.zeros((2, 1)), np.zeros((2, 1)),
+            np.ones((2, 1), dtype=bool),
+        )
+        for index in range(40)
+    }  # fmt: skip
+    (picture,) = memberships(block, UNITS, "terms", visited)
+    assert "Visited by all 40 runs: 0 to 39" in picture.alt
+
+
+def test_the_alternative_text_tells_every_term_and_point():
+    (picture,) = memberships(crane(), UNITS, "terms")
+    assert "Input distance: too_far (−5, 1) (0, 0); zero (−5, 0) (0, 1) (5, 0)" in picture.alt
+    assert "Output power: neg_high at −27;" in picture.alt
+
+
+def test_many_variables_take_several_figures():
+    more = "".join(f"FUZZIFY {name} TERM lo := (0, 1) (1, 0); END_FUZZIFY\n" for name in "de")
+    text = THREE_INPUTS.replace("c: REAL;", "c: REAL; d: REAL; e: REAL;")
+    many = loads(text.replace("DEFUZZIFY u", f"{more}DEFUZZIFY u", 1))
+    assert [each.name for each in memberships(many, {}, "terms")] == ["terms-1", "terms-2"]

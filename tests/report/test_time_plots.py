@@ -1,0 +1,170 @@
+"""Time plots: every signal once, bands and violations where they belong, nothing cut."""
+
+import itertools
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fcl_sim.judge.verdict import Band, Status
+from fcl_sim.report.bands import apart, focus_on
+from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
+from tests.report.legible import clashes, cut, texts
+from tests.report.synthetic import EVIL, LONG, trace, verdict, verdicts
+
+
+def shown(kind: str = "settles", label: str = "base", **given) -> Shown:
+    return Shown(
+        label=label,
+        trace=given.get("trace") or trace(kind),
+        duration=60.0,
+        verdicts=given.get("verdicts") or verdicts(kind),
+    )
+
+
+def figure(*runs: Shown):
+    return time_plot(runs, lanes(runs[0]))
+
+
+def test_signals_that_are_equal_are_drawn_once_under_all_their_names():
+    names = [lane.names for lane in lanes(shown()) if lane.focus is None]
+    assert sorted(names) == [
+        ("controller.rules.power",),
+        ("crane.distance", "controller.distance"),
+        ("crane.sway",),
+    ]
+
+
+def test_judged_signals_stand_first():
+    judged = [lane.judged for lane in lanes(shown())]
+    assert judged == sorted(judged, reverse=True)
+
+
+def test_equal_values_in_other_units_are_not_one_signal():
+    run = trace()
+    other = replace(run, units={**run.units, "controller.distance": "mm"})
+    assert ("crane.distance",) in [lane.names for lane in lanes(shown(trace=other))]
+
+
+def test_a_signal_with_narrow_bounds_is_looked_at_closely():
+    lane = next(lane for lane in lanes(shown()) if lane.focus)
+    assert lane.signal == "crane.distance"
+    assert lane.focus == pytest.approx((-1.1, 1.1))
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "close"), [(-0.5, 0.5, True), (-5.0, 5.0, False), (None, 0.5, False), (0.0, 0.0, False)]
+)
+def test_only_narrow_bounds_on_both_sides_ask_for_a_closer_look(low, high, close):
+    band = Band(signal="x", low=low, high=high, start=0.0, end=1.0)
+    assert (focus_on({band: ["R"]}, np.linspace(0.0, 25.0, 9)) is not None) == close
+
+
+SERIES = st.lists(st.one_of(st.floats(-1e9, 1e9), st.just(float("nan"))), min_size=1, max_size=400)
+
+
+@given(SERIES, st.integers(1, 20))
+def test_thinning_keeps_the_ends_and_the_extremes(values, buckets):
+    series = np.array(values)
+    time, kept = thinned(np.arange(len(series), dtype=float), series, buckets)
+    assert len(time) <= max(3 * buckets + 1, 1)
+    assert (time[0], time[-1]) == (0.0, len(series) - 1.0)
+    assert np.array_equal(kept, series[time.astype(int)], equal_nan=True)
+    if np.isfinite(series).any():
+        assert (np.nanmin(kept), np.nanmax(kept)) == (np.nanmin(series), np.nanmax(series))
+
+
+@given(st.lists(st.floats(0.0, 1.0), max_size=8), st.floats(0.01, 0.1))
+def test_labels_beside_bounds_are_moved_apart(places, least):
+    moved = apart(sorted(places), least)
+    assert all(upper - lower >= least - 1e-9 for lower, upper in itertools.pairwise(moved))
+    assert all(place <= 1.0 for place in moved)
+
+
+@given(st.lists(st.floats(0.0, 1.0), max_size=8, unique=True))
+def test_labels_that_stand_apart_stay_where_they_are(places):
+    assert apart(sorted(places), 0.0) == sorted(places)
+
+
+def test_every_axis_names_its_unit():
+    drawn = [text for text, _ in texts(figure(shown()))]
+    for label in ("crane.distance [m]", "crane.sway [deg]", "controller.rules.power [kW]", "time [s]"):
+        assert label in drawn
+
+
+def test_a_signal_without_a_unit_says_so():
+    run = trace()
+    bare = replace(run, units=dict.fromkeys(run.units, ""))
+    assert "crane.sway [1]" in [text for text, _ in texts(figure(shown(trace=bare)))]
+
+
+def patches(figure, colour: str) -> list[tuple[float, float]]:
+    from matplotlib.colors import to_rgb
+
+    return [
+        (patch.get_x(), patch.get_x() + patch.get_width())
+        for axes in figure.axes
+        for patch in axes.patches
+        if patch.get_facecolor()[:3] == to_rgb(colour)
+    ]
+
+
+def test_a_violation_is_shaded_from_its_start_to_its_end():
+    from fcl_sim.report.style import VIOLATION
+
+    assert set(patches(figure(shown("swings")), VIOLATION)) == {(35.0, 60.0)}
+    assert patches(figure(shown("settles")), VIOLATION) == []
+
+
+def test_of_several_runs_each_marks_its_violation_in_its_colour():
+    from fcl_sim.report.style import COLOURS
+
+    drawn = figure(shown("settles"), shown("swings", "raw"))
+    assert set(patches(drawn, COLOURS[1])) == {(35.0, 60.0)}
+    assert patches(drawn, COLOURS[0]) == []
+
+
+def test_scans_without_an_active_rule_are_hatched_on_the_output_alone():
+    drawn = figure(shown())
+    hatched = [axes for axes in drawn.axes if any(patch.get_hatch() for patch in axes.patches)]
+    assert len(hatched) == 1
+    span = next(patch for patch in hatched[0].patches if patch.get_hatch())
+    assert (span.get_x(), span.get_x() + span.get_width()) == (20.0, 30.5)
+
+
+def test_a_fault_is_marked_and_the_time_that_is_missing_stays_in_the_picture():
+    drawn = figure(shown("fault"))
+    assert "FAULT at 19.5 s" in [text for text, _ in texts(drawn)]
+    assert drawn.axes[-1].get_xlim() == (0.0, 60.0)
+
+
+@pytest.mark.parametrize(
+    "runs",
+    [
+        [shown()],
+        [shown("swings")],
+        [shown("fault")],
+        [shown(), shown("swings", "raw_distance"), shown("fault", "early")],
+        [shown(label=LONG), shown("swings", EVIL), *(shown("fault", f"run {i} {LONG}") for i in range(6))],
+        [shown(verdicts=[verdict(id=f"REQ-{i}", maximum=5.0 * i) for i in range(1, 5)])],
+        [shown(trace=trace(names=(LONG * 3, EVIL, f"{LONG} {EVIL}", "x")), verdicts=[verdict(signal="x")])],
+    ],
+    ids=["base", "violated", "fault", "several", "many long names", "bounds close by", "long signals"],
+)
+def test_no_text_is_cut_and_no_two_meet(runs):
+    drawn = figure(*runs)
+    assert cut(drawn) == []
+    assert clashes(drawn) == []
+
+
+def test_a_run_without_a_sample_can_be_drawn():
+    run = trace()
+    empty = replace(run, ticks=run.ticks[:0], values=run.values[:0], fuzzy={})
+    figure(shown(trace=empty, verdicts=[verdict(Status.FAULT, None)]))
+
+
+def test_a_signal_that_is_never_finite_can_be_drawn():
+    run = trace()
+    figure(shown(trace=replace(run, values=run.values * np.nan)))

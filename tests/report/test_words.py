@@ -1,0 +1,115 @@
+"""Numbers and sentences for readers: short, but never misleading."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fcl_sim.judge.verdict import Status
+from fcl_sim.report.words import (
+    bound,
+    counted,
+    expectation,
+    joined,
+    number,
+    one_line,
+    plain,
+    value,
+    with_unit,
+)
+from tests.report.synthetic import requirement, verdict
+
+FINITE = st.floats(-1e300, 1e300)
+
+
+def read(text: str) -> float:
+    return float(text.replace("−", "-"))
+
+
+@given(FINITE, st.integers(1, 12))
+def test_a_number_reads_back_to_its_digits(x, digits):
+    assert math.isclose(read(number(x, digits)), x, rel_tol=0.51 * 10.0 ** (1 - digits), abs_tol=0.0)
+
+
+@given(FINITE)
+def test_a_number_has_a_true_minus_sign_and_zero_has_none(x):
+    text = number(x)
+    assert not text.startswith("-")
+    assert (text == "0") == (x == 0)
+
+
+@pytest.mark.parametrize(
+    ("x", "text"),
+    [
+        (math.nan, "not a number"),
+        (math.inf, "∞"),
+        (-math.inf, "−∞"),
+        (1e-8, "1e−8"),
+        (-0.0, "0"),
+        (25.404, "25.4"),
+    ],
+)
+def test_numbers_that_are_special(x, text):
+    assert number(x) == text
+
+
+@pytest.mark.parametrize(
+    ("unit", "text"), [("", "1.5"), ("1", "1.5"), ("kN s/m", "1.5\N{NO-BREAK SPACE}kN s/m")]
+)
+def test_a_unit_does_not_part_from_its_number(unit, text):
+    assert with_unit(1.5, unit) == text
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "text"),
+    [
+        (None, 35.0, "at most 35 s"),
+        (-0.125, None, "at least −0.125 s"),
+        (1.0, 2.0, "1 s to 2 s"),
+        (2.0, 2.0, "exactly 2 s"),
+        (None, 35.123456789, "at most 35.123456789 s"),
+        (None, None, "no bound"),
+    ],
+)
+def test_a_bound_is_told_with_all_its_digits(low, high, text):
+    assert bound(requirement(minimum=low, maximum=high)).replace("\N{NO-BREAK SPACE}", " ") == text
+
+
+@given(st.floats(0.1, 1e6), st.floats(1e-12, 1e-3))
+def test_a_value_beside_its_bound_does_not_look_like_it(maximum, excess):
+    over = maximum * (1.0 + excess)
+    shown = value(verdict(Status.FAIL, over, maximum=maximum, unit=""))
+    assert (read(shown) > maximum) == (over > maximum)
+
+
+def test_what_could_not_be_measured_is_a_dash():
+    assert value(verdict(Status.FAULT, None)) == "—"
+
+
+@pytest.mark.parametrize(
+    ("measured", "text"),
+    [
+        (Status.FAIL, "not met, as expected"),
+        (Status.PASS, "met, though expected to fail"),
+        (Status.FAULT, "expected to fail; measured FAULT"),
+    ],
+)
+def test_an_expectation_is_told_as_it_came_out(measured, text):
+    assert expectation(verdict(measured, expect_fail=True)) == text
+    assert expectation(verdict(measured)) == ""
+
+
+@given(st.text())
+def test_plain_text_has_no_character_that_a_page_cannot_show(text):
+    shown = plain(text)
+    assert plain(shown) == shown
+    assert not any(ord(each) < 32 and each != "\n" for each in shown)
+    assert "\n" not in one_line(text)
+    shown.encode()
+
+
+def test_counts_and_lists_read_as_a_sentence():
+    assert counted(1, "run") == "1 run"
+    assert counted(0, "miss", "misses") == "0 misses"
+    assert joined(["a", "b", "c"]) == "a, b and c"

@@ -1,0 +1,188 @@
+"""Writing: whole or not at all, the same bytes from the same inputs, faults in one message."""
+
+import errno
+import multiprocessing
+import os
+import signal
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from fcl_sim.diagnostics import InputFault
+from fcl_sim.report import exclusive, write, write_pictures, writer
+from fcl_sim.report.characteristics import characteristic, memberships
+from fcl_sim.report.exclusive import PREFIX, workplace
+from fcl_sim.report.provenance import EPOCH, date_of
+from tests.report.synthetic import crane, outcome, run
+
+
+@pytest.fixture
+def small(tmp_path):
+    folder = tmp_path / "inputs"
+    folder.mkdir()
+    return [outcome(folder, run(folder))]
+
+
+def everything(folder: Path) -> dict[str, bytes]:
+    return {str(each.relative_to(folder)): each.read_bytes() for each in folder.rglob("*") if each.is_file()}
+
+
+def test_two_reports_from_the_same_inputs_are_the_same_bytes(small, tmp_path, monkeypatch):
+    monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
+    first, second = tmp_path / "first", tmp_path / "second"
+    written = write(small, first)
+    write(small, second)
+    assert written[0] == first / "report.pdf"
+    assert sorted(str(each.relative_to(first)) for each in written) == sorted(everything(first))
+    assert sorted(everything(first)) == [
+        "crane/transfer/base-controller.rules.png",
+        "crane/transfer/base-time.png",
+        "report.pdf",
+        "results.json",
+        "rule-bases/crane-terms.png",
+    ]
+    assert everything(first) == everything(second)
+
+
+def test_a_report_replaces_the_one_before_and_leaves_other_files_alone(small, tmp_path):
+    place = tmp_path / "reports"
+    place.mkdir()
+    (place / "report.pdf").write_text("old")
+    (place / "README.md").write_text("mine")
+    write(small, place)
+    assert (place / "report.pdf").read_bytes().startswith(b"%PDF")
+    assert (place / "README.md").read_text() == "mine"
+
+
+def test_the_date_is_that_of_the_newest_input_or_the_one_given(small, monkeypatch):
+    monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
+    newest = small[0].scenario.files[1].path
+    os.utime(small[0].scenario.files[0].path, (10**9, 10**9))
+    os.utime(newest, (11 * 10**8, 11 * 10**8))
+    assert date_of(small) == datetime.fromtimestamp(11 * 10**8, UTC)
+    assert date_of([]) == EPOCH
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1234567890")
+    assert date_of(small) == datetime.fromtimestamp(1234567890, UTC)
+
+
+@pytest.mark.parametrize("given", ["soon", "1e9", "9" * 30])
+def test_a_given_date_that_is_none_is_one_message(small, monkeypatch, given):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", given)
+    with pytest.raises(InputFault) as caught:
+        date_of(small)
+    assert str(caught.value) == (
+        f"error[RUN203]: SOURCE_DATE_EPOCH is `{given}`, which is no date\n"
+        "  hint: give whole seconds since 1970"
+    )
+
+
+def _die_while_drawing(outcomes, place: Path) -> None:
+    def progress(done: int, total: int) -> None:
+        if done == total - 1:
+            os.kill(os.getpid(), signal.SIGKILL)
+
+    write(outcomes, place, progress)
+
+
+def test_a_run_that_is_killed_leaves_nothing_to_be_seen_and_the_next_one_cleans_up(small, tmp_path):
+    place = tmp_path / "reports"
+    dying = multiprocessing.get_context("fork").Process(target=_die_while_drawing, args=(small, place))
+    dying.start()
+    dying.join()
+    assert dying.exitcode == -signal.SIGKILL
+    (left,) = place.iterdir()
+    assert left.name.startswith(PREFIX)
+    assert any(left.rglob("*.svg"))
+    write(small, place)
+    assert not any(each.name.startswith(PREFIX) for each in place.iterdir())
+
+
+def test_an_interrupted_run_leaves_nothing(small, tmp_path):
+    def progress(done: int, total: int) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        write(small, tmp_path / "reports", progress)
+    assert list((tmp_path / "reports").iterdir()) == []
+
+
+def test_the_workplace_of_a_run_that_lives_is_left_alone(tmp_path, monkeypatch):
+    monkeypatch.setattr(exclusive, "PATIENCE", 0.1)
+    with workplace(tmp_path) as ours:
+        with pytest.raises(InputFault) as caught, workplace(tmp_path):
+            pass
+        assert ours.is_dir()
+    assert not ours.exists()
+    assert str(caught.value) == (
+        f"{tmp_path}: error[RUN202]: another run is writing its report here\n"
+        "  hint: wait for it to end, or name another folder"
+    )
+
+
+def test_a_folder_that_cannot_be_written_is_one_message(small, tmp_path):
+    file = tmp_path / "file"
+    file.write_text("")
+    with pytest.raises(InputFault) as caught:
+        write(small, file / "reports")
+    assert str(caught.value) == (
+        f"{file / 'reports'}: error[RUN201]: the report cannot be written: Not a directory\n"
+        "  hint: name a folder that can be written"
+    )
+
+
+@pytest.mark.parametrize(
+    ("number", "hint"),
+    [
+        (errno.ENOSPC, "make room, or name a folder elsewhere"),
+        (errno.EACCES, "name a folder that can be written"),
+    ],
+)
+def test_a_disk_that_refuses_in_mid_report_is_one_message_and_leaves_nothing(
+    small, tmp_path, monkeypatch, number, hint
+):
+    def refuse(*_):
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(writer.typeset, "pdf", refuse)
+    place = tmp_path / "reports"
+    with pytest.raises(InputFault) as caught:
+        write(small, place)
+    assert str(caught.value) == (
+        f"{place}: error[RUN201]: the report cannot be written: {os.strerror(number)}\n  hint: {hint}"
+    )
+    assert list(place.iterdir()) == []
+
+
+def test_the_pictures_of_a_block_alone_are_written(tmp_path):
+    pictures = [*memberships(crane(), {}, "terms"), *characteristic(crane(), {}, "surface")]
+    written = write_pictures(pictures, tmp_path)
+    assert [each.name for each in written] == ["terms.png", "surface.png"]
+    assert all(each.read_bytes().startswith(b"\x89PNG") for each in written)
+    assert write_pictures([], tmp_path) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "stem"),
+    [
+        ("crane", "crane"),
+        ("../etc", "_etc"),
+        ("..", "_"),
+        ("", "_"),
+        ("a b/c", "a_b_c"),
+        ("µ", "_"),
+        ("x" * 300, "x" * 80),
+    ],
+)
+def test_names_become_file_names_that_stay_inside(name, stem):
+    assert writer.slug(name) == stem
+
+
+def test_pictures_that_share_a_name_get_files_of_their_own():
+    shelf = writer.Shelf()
+    (picture,) = memberships(crane(), {}, "Terms")
+    assert [shelf.add("a/b", picture) for _ in range(3)] == [
+        "a/b/Terms.svg",
+        "a/b/Terms-2.svg",
+        "a/b/Terms-3.svg",
+    ]
