@@ -1,0 +1,80 @@
+"""`fcl-sim eval`: one evaluation of a rule base."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import click
+
+from fcl_sim.block import load
+from fcl_sim.engine.explain import Explanation, Origin
+from fcl_sim.engine.explain_text import explanation_text
+from fcl_sim.units import short
+
+SCHEMA = 1
+
+REMARKS = {
+    Origin.RULES: "",
+    Origin.DEFAULT: "  (no rule is active: DEFAULT)",
+    Origin.PREVIOUS: "  (no rule is active: NC keeps the initial value)",
+}
+
+
+@click.command()
+@click.argument("file", metavar="FILE.fcl", type=click.Path(path_type=Path))
+@click.argument("assignments", metavar="[NAME=NUMBER]...", nargs=-1)
+@click.option("--block", metavar="NAME", help="Which function block, where the file has several.")
+@click.option("--explain", is_flag=True, help="Show every step of the inference.")
+@click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
+def command(
+    *, file: Path, assignments: tuple[str, ...], block: str | None, explain: bool, as_json: bool
+) -> None:
+    """Evaluate a rule base once.
+
+    Every input is given by name: `fcl-sim eval crane.fcl distance=12 angle=4`. One with an initial value may
+    be left out.
+    """
+    loaded = load(file, block)
+    values = _values(assignments)
+    try:
+        loaded.evaluate(values)
+    except (TypeError, ValueError) as error:  # unknown, missing or not finite, as it says
+        raise click.UsageError(str(error)) from None
+    explanation = loaded.explain(**values)
+    if as_json:
+        click.echo(json.dumps(_document(explanation, values, whole=explain), indent=2, ensure_ascii=False))
+    elif explain:
+        click.echo(explanation_text(explanation))
+    else:
+        for each in explanation.defuzzified:
+            click.echo(f"{each.variable} = {short(each.value)}{REMARKS[each.origin]}")
+
+
+def _values(assignments: tuple[str, ...]) -> dict[str, float]:
+    """Return numbers by name; wrong usage where a text does not give one, or gives it again."""
+    values: dict[str, float] = {}
+    for text in assignments:
+        name, equals, number = (part.strip() for part in text.partition("="))
+        if not equals:
+            raise click.UsageError(f"'{text}' is not NAME=NUMBER")
+        if name in values:
+            raise click.UsageError(f"'{name}' is given twice")
+        try:
+            values[name] = float(number)
+        except ValueError:
+            hint = ": the decimal separator is a point" if "," in number else ""
+            raise click.UsageError(f"'{number}' for '{name}' is not a number{hint}") from None
+    return values
+
+
+def _document(explanation: Explanation, values: dict[str, float], *, whole: bool) -> dict[str, Any]:
+    document: dict[str, Any] = {
+        "schema": SCHEMA,
+        "block": explanation.name,
+        "inputs": values,
+        "outputs": {each.variable: each.value for each in explanation.defuzzified},
+        "active": {each.variable: each.origin is Origin.RULES for each in explanation.defuzzified},
+        "degrees": {each.rule: each.degree for each in explanation.aggregated},
+    }
+    return document | {"explanation": asdict(explanation)} if whole else document
