@@ -10,18 +10,31 @@ if TYPE_CHECKING:
     from fcl_sim.block import Block, load, load_all, loads
     from fcl_sim.diagnostics import InputFault
     from fcl_sim.engine.instance import Instance
+    from fcl_sim.testbench import Outcome, run
 
 __version__ = "0.1.0"
 
-__all__ = ["Block", "InputFault", "Instance", "__version__", "load", "load_all", "loads"]
+__all__ = [
+    "Block",
+    "InputFault",
+    "Instance",
+    "Outcome",
+    "__version__",
+    "load",
+    "load_all",
+    "loads",
+    "run",
+]
 
 _HOMES = {
     "Block": "fcl_sim.block",
     "InputFault": "fcl_sim.diagnostics",
     "Instance": "fcl_sim.engine.instance",
+    "Outcome": "fcl_sim.testbench",
     "load": "fcl_sim.block",
     "load_all": "fcl_sim.block",
     "loads": "fcl_sim.block",
+    "run": "fcl_sim.testbench",
 }
 """Where each public name lives."""
 
