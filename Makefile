@@ -16,7 +16,7 @@ test_stamp := $(venv)/test.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench lock clean
+.PHONY: help run test lint smoke bench images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -50,6 +50,10 @@ smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench fro
 
 bench: $(test_stamp) ## measure the speed, against C
 	@$(python) -m benchmarks
+
+images: $(run_stamp) ## draw the README's picture anew
+	@$(python) -m fcl_sim run scenarios/crane/transfer.toml --reports build/images
+	@mkdir -p docs/images && cp build/images/crane/transfer/all-runs.png docs/images/crane.png
 
 lock: ## write the locks from pyproject.toml; with UPGRADE=--upgrade take the newest releases
 	@$(PYTHON) -m venv --clear build/lock
