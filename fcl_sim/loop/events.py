@@ -1,4 +1,10 @@
-"""Events: which are armed, which stand beyond zero, where one crossed it, what happens then."""
+"""Events: which are armed, which stand beyond zero, where one crossed it, what happens then.
+
+An event happens when its function goes from at or before zero to beyond it, in
+its direction. One that has happened is armed again when its function is back:
+one that stays beyond zero happens once, one whose transition puts its function
+back to zero, as a bounce does, can happen again at once.
+"""
 
 from fcl_sim.jit import inlined, kernel, u
 from fcl_sim.loop.layout import CHATTERS, DIRECTIONS_AT, EVENTS
@@ -14,11 +20,11 @@ RESOLUTION = 1e-13
 
 @inlined
 def rearm(ints: Ints, g: Floats, progress: Ints) -> None:
-    """Arm the events whose function has left zero against their direction."""
+    """Arm the events that are not, or no longer, beyond zero in their direction."""
     armed = progress[u(ARMED)]
     directions = ints[u(DIRECTIONS_AT)]
     for i in range(ints[u(EVENTS)]):
-        if g[u(i)] * ints[u(directions + i)] < 0.0:
+        if g[u(i)] * ints[u(directions + i)] <= 0.0:
             armed |= 1 << i
     progress[u(ARMED)] = armed
 
@@ -87,8 +93,8 @@ def locate(
     """Return the part of the step h at whose end event `which` has just crossed zero, and that event.
 
     On entry `trial` and g1 belong to the whole step, on return to that part of
-    it. Regula falsi after Illinois on the interval (0, 1) of the step; its end
-    beyond zero is returned. An event found to be earlier takes the place of `which`.
+    it. Regula falsi after Illinois on the interval (0, 1) of the step; the end
+    of it that lies beyond zero is returned. An event found to be earlier takes the place of `which`.
     """
     low, high, part = 0.0, 1.0, 1.0
     g_low, g_high = g0[u(which)], g1[u(which)]
@@ -106,8 +112,7 @@ def locate(
         if earlier >= 0 and earlier != which:
             which, low, high, side = earlier, 0.0, part, 0
             g_low, g_high = g0[u(which)], g1[u(which)]
-        elif g1[u(which)] * ints[u(ints[u(DIRECTIONS_AT)] + which)] >= 0.0:
-            low = part if g1[u(which)] == 0.0 else low
+        elif earlier == which:
             high, g_high = part, g1[u(which)]
             g_low = 0.5 * g_low if side == 1 else g_low
             side = 1

@@ -3,8 +3,7 @@
 A step is accepted when the largest error estimate, each relative to
 rtol * (|x| + scale), is at most 1. An event that crossed zero in the step is
 located on steps of the scheme itself, so it is as exact as the solution; the
-step is cut there and restarted. An event that has fired is armed again after
-leaving zero.
+step is cut there and restarted (`loop.events`).
 """
 
 from math import ceil, inf

@@ -5,6 +5,7 @@ from math import isfinite
 import numpy as np
 
 from fcl_sim.jit import FF, F, I, entry, i8, inlined, signature, u
+from fcl_sim.loop.events import rearm
 from fcl_sim.loop.execute import execute
 from fcl_sim.loop.integrate import advance
 from fcl_sim.loop.layout import (
@@ -31,7 +32,7 @@ from fcl_sim.loop.layout import (
     WRITE_SIGNS_AT,
     WRITES_AT,
 )
-from fcl_sim.loop.work import ARMED, GUESS, INDEX, MODE, PROGRESS, STATUS, Floats, Ints, work_size
+from fcl_sim.loop.work import GUESS, INDEX, MODE, PROGRESS, STATUS, Floats, Ints, work_size
 from fcl_sim.plant.declaration import START
 from fcl_sim.plant.functions import FUNCTION_TYPES, PlantFunction
 
@@ -140,8 +141,10 @@ def simulate(
     dx, trial = np.zeros(states), np.zeros(states)
     g0, g1 = np.zeros(count), np.zeros(count)
     work[u(GUESS)] = nominal
-    progress[u(ARMED)] = (1 << count) - 1
     progress[u(MODE)] = transition(START, starts[u(0)] / 1e9, x, held, p, START)
+    if count > 0:
+        events(starts[u(0)] / 1e9, x, held, p, progress[u(MODE)], g0)
+        rearm(ints, g0, progress)
     report[u(REPORT_STATUS)] = FINISHED
     for scan in range(ints[u(SCANS)] + 1):
         start = starts[u(scan)]

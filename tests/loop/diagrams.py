@@ -48,7 +48,9 @@ def constant(name: str, value: float, source: str, units: Mapping[str, str]) -> 
     return FuzzyNode(name=name, block=block, inputs={"x": Wire(source)}, units=units)
 
 
-def alone(model: PlantModel, timing: Timing, integration: Integration | None = None, **start: float) -> Diagram:
+def alone(
+    model: PlantModel, timing: Timing, integration: Integration | None = None, **start: float
+) -> Diagram:
     """A plant whose inputs are all held at 0 by a gain on its first output."""
     first = model.declaration.outputs[0]
     nodes = tuple(
@@ -66,12 +68,20 @@ def alone(model: PlantModel, timing: Timing, integration: Integration | None = N
 
 
 def crane_alone(
-    timing: Timing, parameters: Mapping[str, float], start: Mapping[str, float], power: float = 0.0, rtol: float = 1e-12
+    timing: Timing,
+    parameters: Mapping[str, float],
+    start: Mapping[str, float],
+    power: float = 0.0,
+    rtol: float = 1e-12,
 ) -> Diagram:
     """The crane at constant power, in kW."""
     node = constant("power", power, "crane.distance", {"x": "m", "y": "kW"})
     plant = PlantNode(
-        name="crane", model=find("crane", BENCH), parameters=parameters, start=start, inputs={"power": Wire("power.y")}
+        name="crane",
+        model=find("crane", BENCH),
+        parameters=parameters,
+        start=start,
+        inputs={"power": Wire("power.y")},
     )
     return Diagram(plant=plant, nodes=(node,), timing=timing, integration=Integration(rtol=rtol))
 
@@ -98,7 +108,10 @@ def crane(
             name="controller.predicted",
             type="sum",
             inputs={"distance": Wire("crane.distance"), "speed": Wire("controller.speed")},
-            parameters={"distance": parse_quantity(1.0), "speed": parse_quantity(f"{-(prediction or 0.0)} s")},
+            parameters={
+                "distance": parse_quantity(1.0),
+                "speed": parse_quantity(f"{-(prediction or 0.0)} s"),
+            },
         ),
         FuzzyNode(
             name="controller.rules",

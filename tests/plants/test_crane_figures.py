@@ -39,7 +39,11 @@ def land(cases, rules, seconds, prediction, **parameters):
     for load, cable, start in cases:
         given = {"load_mass": 1000.0 * load, "cable_length": cable, **parameters}
         diagram = crane(
-            rules, timing=timing(50.0, seconds), parameters=given, position=-float(start), prediction=prediction
+            rules,
+            timing=timing(50.0, seconds),
+            parameters=given,
+            position=-float(start),
+            prediction=prediction,
         )
         trace = run(diagram)
         assert trace.fault is None

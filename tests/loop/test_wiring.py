@@ -1,0 +1,102 @@
+"""What does not fit together is refused, by name and with what would be right."""
+
+from dataclasses import replace
+
+import pytest
+
+from fcl_sim.diagnostics import InputFault
+from fcl_sim.loop.diagram import Node, Wire
+from fcl_sim.loop.wiring import wire
+from fcl_sim.units import parse_quantity
+from tests.loop.diagrams import crane, timing
+
+
+@pytest.fixture
+def diagram():
+    return crane(timing=timing())
+
+
+def with_node(diagram, name, **changes):
+    nodes = tuple(replace(node, **changes) if node.name == name else node for node in diagram.nodes)
+    return replace(diagram, nodes=nodes)
+
+
+def refusal(diagram):
+    with pytest.raises(InputFault) as caught:
+        wire(diagram)
+    return str(caught.value)
+
+
+def test_the_crane_fits_together_in_the_order_of_its_signals(diagram):
+    shuffled = replace(diagram, nodes=diagram.nodes[::-1])
+    wiring = wire(shuffled)
+    assert [node.name for node in wiring.order] == [
+        "controller.speed",
+        "controller.predicted",
+        "controller.rules",
+    ]
+    assert wiring.units["controller.speed"].symbol == "m/s"
+    assert wiring.units["controller.rules.power"].symbol == "kW"
+
+
+def test_an_unknown_signal_is_refused_with_the_nearest_name(diagram):
+    inputs = {"distance": Wire("controler.predicted"), "angle": Wire("crane.angle")}
+    assert refusal(with_node(diagram, "controller.rules", inputs=inputs)) == (
+        "error[WIR102]: there is no signal called `controler.predicted`\n"
+        "  hint: did you mean `controller.predicted`?"
+    )
+
+
+def test_a_unit_of_another_kind_is_refused(diagram):
+    inputs = {"distance": Wire("crane.angle"), "angle": Wire("crane.angle")}
+    assert refusal(with_node(diagram, "controller.rules", inputs=inputs)) == (
+        "error[WIR201]: `distance` of `controller.rules` is in m, and `crane.angle` is in deg\n"
+        "  hint: the two are different kinds of quantity: is this the signal you mean?"
+    )
+
+
+def test_a_dimensioned_signal_into_a_variable_without_a_unit_is_refused(diagram):
+    assert "`angle` of `controller.rules` has no unit, and `crane.angle` is in deg" in refusal(
+        with_node(diagram, "controller.rules", units={"distance": "m", "power": "kW"})
+    )
+
+
+def test_terms_of_a_sum_that_do_not_add_up_are_refused(diagram):
+    gains = {"distance": parse_quantity(1.0), "speed": parse_quantity("-6 s2")}
+    text = refusal(with_node(diagram, "controller.predicted", parameters=gains))
+    assert "error[WIR201]: `controller.predicted`: the terms do not add up" in text
+
+
+def test_the_plant_is_given_its_own_unit(diagram):
+    units = {"distance": "m", "angle": "deg", "power": "W"}
+    text = refusal(with_node(diagram, "controller.rules", units=units))
+    assert "`crane.power` takes kW, and `controller.rules.power` is in W" in text
+    assert "put a `gain` between them that converts W to kW" in text
+
+
+def test_an_input_of_the_plant_that_is_not_connected_is_refused(diagram):
+    text = refusal(replace(diagram, plant=replace(diagram.plant, inputs={})))
+    assert "the plant's input `crane.power` is not connected" in text
+
+
+def test_a_parameter_outside_what_is_possible_is_refused(diagram):
+    text = refusal(replace(diagram, plant=replace(diagram.plant, parameters={"cable_length": -1.0})))
+    assert "`cable_length` of the plant `crane` is -1 m" in text
+    assert "it must be at least 0.1 m" in text
+
+
+def test_an_algebraic_loop_is_walked(diagram):
+    first = Node(name="a", type="gain", inputs={"input": Wire("b")}, parameters={"gain": parse_quantity(1.0)})
+    second = Node(
+        name="b", type="gain", inputs={"input": Wire("a")}, parameters={"gain": parse_quantity(1.0)}
+    )
+    text = refusal(replace(diagram, nodes=(*diagram.nodes, first, second)))
+    assert "these blocks wait for each other in every scan: `a` → `b` → `a`" in text
+
+
+def test_every_fault_is_reported_at_once(diagram):
+    broken = with_node(diagram, "controller.speed", inputs={"input": Wire("crane.distanz")})
+    broken = replace(broken, plant=replace(broken.plant, parameters={"load_mas": 1.0}))
+    with pytest.raises(InputFault) as caught:
+        wire(broken)
+    assert {each.code for each in caught.value.diagnostics} == {"WIR102", "WIR104"}
