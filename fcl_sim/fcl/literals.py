@@ -70,7 +70,9 @@ def _based(token: Token, text: str) -> float:
     head, mark, _ = text.partition("#")
     if mark and head not in {"2", "8", "16"}:
         raise LiteralError(f"{token.shown} is not a number", "the bases are 2#, 8# and 16#")
-    raise LiteralError(f"{token.shown} is not a number", _advice(text))
+    raise LiteralError(
+        f"{token.shown} is not a number", "digits of the base follow #" if mark else _advice(text)
+    )
 
 
 def _advice(text: str) -> str:

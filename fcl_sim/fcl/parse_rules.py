@@ -80,6 +80,8 @@ def _label(cursor: Cursor, keyword: Token) -> str:
     while cursor.token.kind in _WORDS and cursor.token.start == end and cursor.token.key != "IF":
         end = cursor.token.end
         label += cursor.advance().text
+    if not label and cursor.token.key not in {":", "IF"}:
+        raise cursor.stray("the label of a rule is expected")
     if not label:
         cursor.findings.warning("FCL217", "this rule has no label", keyword, hint="write `RULE 1: IF …`")
     return label

@@ -133,13 +133,17 @@ def _begins_block(cursor: Cursor, *, first: bool) -> bool:
 def _heading(cursor: Cursor, opening: Token) -> Heading | None:
     """Return the name: what stands up to the end of its line, identifier or not (S11, S17)."""
     first = cursor.token
+    if first.kind is Kind.STRAY:
+        return None
     if first.key in _NO_NAME or first.kind is Kind.END:
         hint = "the file's name is taken"
         cursor.findings.warning("FCL216", "this function block has no name", opening, hint)
         return None
     cursor.advance()
     words = 1
-    while not (cursor.token.key in _AFTER_NAME or cursor.token.kind is Kind.END or cursor.starts_line()):
+    while not (
+        cursor.token.key in _AFTER_NAME or cursor.token.kind in {Kind.STRAY, Kind.END} or cursor.starts_line()
+    ):
         cursor.advance()
         words += 1
     heading = Heading(cursor.source.text[first.start : cursor.last.end], first.start, cursor.last.end)

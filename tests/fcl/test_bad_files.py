@@ -33,3 +33,9 @@ def test_a_bad_file_has_the_expected_findings_on_the_expected_lines_and_no_other
     reading = fcl.read_file(file)
     assert found(reading) == expected(file.read_text("utf-8"))
     assert bool(reading.blocks) != bool(reading.errors)
+
+
+def test_every_kind_of_finding_about_a_text_has_its_bad_file():
+    shown = {code for file in FILES for code in CODE.findall(file.read_text("utf-8"))}
+    of_texts = {code for code in CODES if re.fullmatch(r"FCL[123]\d\d", code)}
+    assert of_texts - shown == {"FCL101", "FCL102", "FCL103", "FCL104", "FCL199"}  # of whole files
