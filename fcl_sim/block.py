@@ -86,12 +86,12 @@ def load(path: str | os.PathLike[str], block: str | None = None) -> Block:
 
     Raises InputFault with every error of the file.
     """
-    return _chosen(load_all(path), block, os.fspath(path))
+    return _chosen(read_file(path), block, os.fspath(path))
 
 
 def loads(text: str, name: str = "<text>", block: str | None = None) -> Block:
     """Return the function block in an FCL text that is called `name`; else as `load`."""
-    return _chosen(_blocks(read(text, name), name), block, name)
+    return _chosen(read(text, name), block, name)
 
 
 def load_all(path: str | os.PathLike[str]) -> dict[str, Block]:
@@ -99,17 +99,10 @@ def load_all(path: str | os.PathLike[str]) -> dict[str, Block]:
 
     Raises InputFault with every error of the file.
     """
-    return _blocks(read_file(path), os.fspath(path))
-
-
-def _blocks(reading: Reading, name: str) -> dict[str, Block]:
-    if any(each.is_error for each in reading.diagnostics):
-        raise InputFault(reading.diagnostics)
-    if not reading.blocks:
-        raise InputFault.at_file("FCL421", name, "there is no FUNCTION_BLOCK")
+    reading = read_file(path)
     faults: list[Diagnostic] = []
     blocks = {}
-    for each in reading.blocks:
+    for each in _readable(reading, os.fspath(path)):
         try:
             blocks[each.name] = Block(each, assemble(each), reading.diagnostics)
         except InputFault as fault:
@@ -119,20 +112,27 @@ def _blocks(reading: Reading, name: str) -> dict[str, Block]:
     return blocks
 
 
-def _chosen(blocks: Mapping[str, Block], wanted: str | None, file: str) -> Block:
-    if wanted is None and len(blocks) == 1:
-        return next(iter(blocks.values()))
-    for each in blocks.values():
-        if wanted is not None and each.name.casefold() == wanted.casefold():
-            return each
-    spans = [each.function_block.span for each in blocks.values()]
-    places = tuple(Place(span) for span in spans if span is not None) or (Place(file=file),)
-    if wanted is None:
-        message = f"there are {len(blocks)} function blocks; say which one is meant"
-        raise InputFault(
-            [Diagnostic(code="FCL422", message=message, places=places, hint=f"there is {listed(blocks)}")]
-        )
-    near = nearest(wanted, blocks)
-    hint = f"did you mean `{near}`?" if near else f"there is {listed(blocks)}"
+def _readable(reading: Reading, file: str) -> tuple[FunctionBlock, ...]:
+    if any(each.is_error for each in reading.diagnostics):
+        raise InputFault(reading.diagnostics)
+    if not reading.blocks:
+        raise InputFault.at_file("FCL421", file, "there is no FUNCTION_BLOCK")
+    return reading.blocks
+
+
+def _chosen(reading: Reading, wanted: str | None, file: str) -> Block:
+    """Return the one block, or the one that is called `wanted`, as a Block."""
+    blocks = _readable(reading, file)
+    called = [each for each in blocks if wanted is None or each.name.casefold() == wanted.casefold()]
+    if len(called) == 1:
+        return Block(called[0], assemble(called[0]), reading.diagnostics)
+    names = [each.name for each in blocks]
+    places = tuple(Place(each.span) for each in blocks if each.span is not None) or (Place(file=file),)
+    hint = f"there is {listed(names)}"
+    if called:
+        message = f"there are {len(called)} function blocks; say which one is meant"
+        raise InputFault([Diagnostic(code="FCL422", message=message, places=places, hint=hint)])
+    near = nearest(wanted or "", names)
+    hint = f"did you mean `{near}`?" if near else hint
     message = f"there is no function block `{wanted}`"
     raise InputFault([Diagnostic(code="FCL423", message=message, places=places[:1], hint=hint)])

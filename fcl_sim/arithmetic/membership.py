@@ -25,8 +25,8 @@ def cell_of(x: float, floats: NDArray[float64], knots: int, count: int) -> int:
     """Return the cell of `x` on the rising knots at `floats[knots]`.
 
     Cell 2 k is the open interval before knot k, cell 2 k + 1 is knot k itself,
-    so that a vertical edge is a value in its knot's cell (S21). `count` is 4, 8
-    or a power of 4; NaN fills the knots up and stands once more behind them.
+    so that a vertical edge is a value in its knot's cell (S21). `count` is 4, 8,
+    or a power of 4 above the number of knots; NaN fills the knots up.
     """
     if count <= FEW:
         cell = passed(x, floats, knots)
@@ -44,10 +44,12 @@ def cell_of(x: float, floats: NDArray[float64], knots: int, count: int) -> int:
 
 @inlined
 def degree_on(x: float, floats: NDArray[float64], segment: int) -> float:
-    """Return the degree of `x` on the segment (origin, value, slope) at `floats[segment]`.
+    """Return the degree of `x` on the segment (origin, value, run) at `floats[segment]`.
 
     The origin is the end where the degree is lower: near zero the error is
-    relative to the degree itself.
+    relative to the degree itself. The run is the signed distance over which
+    the degree would rise by 1, infinite where it is constant: a quotient is
+    as near to the true degree as a float can be, a product with a slope is not.
     """
-    rise = floats[u(segment + 2)] * (x - floats[u(segment)])
+    rise = (x - floats[u(segment)]) / floats[u(segment + 2)]
     return minimum(1.0, floats[u(segment + 1)] + rise)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from math import inf, nan
 
 import numpy as np
 
@@ -112,10 +113,10 @@ def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code], words: int) -> in
     records = []
     for variable, functions in own.functions.items():
         slots = [slot for slot, _ in functions]
-        grid = merge([base for _, base in functions])
+        grid = merge([function for _, function in functions])
         active = [_active(cell, slots) for cell in grid.cells]
         width = max(2, *(len(each) for each in active))
-        spare = [(own.spill, 0.0, 0.0, 0.0)]
+        spare = [(own.spill, 0.0, 0.0, inf)]
         filled = [each + spare * (width - len(each)) for each in active]
         sets = fireable(codes, slots, grid.cells)
         rows = [
@@ -127,7 +128,7 @@ def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code], words: int) -> in
         knots = _knots(grid)
         records += [
             own.inputs[variable],
-            len(knots) - 1,
+            len(knots),
             buffers.put_floats(knots),
             width,
             buffers.put(rows),
@@ -140,15 +141,20 @@ def _knots(grid: Grid) -> list[float]:
     """Return the knots as `cell_of` takes them."""
     knots = [float(knot) for knot in grid.knots]
     count = 4 if len(knots) <= 4 else FEW if len(knots) <= FEW else 16
-    while count < len(knots):
+    while count <= len(knots) and count > FEW:
         count *= 4
-    return knots + [np.nan] * (count + 1 - len(knots))
+    return knots + [nan] * (count - len(knots))
 
 
 def _active(cell: Cell, slots: Sequence[int]) -> list[tuple[int, float, float, float]]:
-    """Return slot, origin, value and slope of the functions that are not 0 all over the cell."""
+    """Return slot, origin, value and run of the functions that are not 0 all over the cell."""
     return [
-        (slot, float(segment.origin), float(segment.value), float(segment.slope))
+        (
+            slot,
+            float(segment.origin),
+            float(segment.value),
+            inf if segment.run is None else float(segment.run),
+        )
         for slot, segment, (_, high) in zip(slots, cell.segments, cell.bounds, strict=True)
         if high > 0
     ]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from fcl_sim.engine.conditions import Leaf, leaves
-from fcl_sim.engine.grid import Base, complement
+from fcl_sim.engine.grid import Base, Function
 from fcl_sim.model import Accumulation, Defuzzification, FunctionBlock, Fuzzification, Points, Term
 
 
@@ -33,15 +33,15 @@ class Accumulator:
 class Plan:
     """Offsets in the instance memory; variables by their case-folded names.
 
-    `functions` are the membership functions of each fuzzified input, slot and
-    base points; `spill` is a word that nobody reads.
+    `functions` are the membership functions of each fuzzified input, with their
+    slots; `spill` is a word that nobody reads.
     """
 
     inputs: Mapping[str, int]
     outputs: Mapping[str, int]
     degrees: int
     slots: Mapping[Leaf, int]
-    functions: Mapping[str, tuple[tuple[int, Base], ...]]
+    functions: Mapping[str, tuple[tuple[int, Function], ...]]
     brought: tuple[str, ...]
     accumulators: Mapping[str, Accumulator]
     spill: int
@@ -62,7 +62,7 @@ def plan(block: FunctionBlock) -> Plan:
     functions = {}
     for each in block.fuzzifications:
         own = _functions(each, used) if each.variable.casefold() in inputs else ()
-        functions[each.variable.casefold()] = tuple((at + i, base) for i, (_, base) in enumerate(own))
+        functions[each.variable.casefold()] = tuple((at + i, function) for i, (_, function) in enumerate(own))
         slots.update((leaf, at + i) for i, (leaf, _) in enumerate(own))
         at += len(own)
     brought = _brought(block, used)
@@ -90,12 +90,13 @@ def plan(block: FunctionBlock) -> Plan:
     )
 
 
-def _functions(fuzzification: Fuzzification, used: set[Leaf]) -> list[tuple[Leaf, Base]]:
+def _functions(fuzzification: Fuzzification, used: set[Leaf]) -> list[tuple[Leaf, Function]]:
     """Return the terms of an input, then the complements that some condition uses."""
     variable = fuzzification.variable.casefold()
-    plain = [(Leaf(variable, term.name.casefold()), base_of(term)) for term in fuzzification.terms]
-    negated = [(Leaf(variable, leaf.term, negated=True), complement(base)) for leaf, base in plain]
-    return plain + [(leaf, base) for leaf, base in negated if leaf in used]
+    bases = [(term.name.casefold(), base_of(term)) for term in fuzzification.terms]
+    plain = [(Leaf(variable, term), Function(base)) for term, base in bases]
+    negated = [(Leaf(variable, term, negated=True), Function(base, negated=True)) for term, base in bases]
+    return plain + [(leaf, function) for leaf, function in negated if leaf in used]
 
 
 def base_of(term: Term) -> Base:

@@ -28,13 +28,13 @@ Header (i):
 
 Grid record (i), one for each fuzzified variable:
     GRID_INPUT    (m) the variable
-    GRID_COUNT    number of knots, filled up with NaN to 4, 8 or a power of 4; one more NaN follows
+    GRID_COUNT    number of knots, filled up with NaN to 4, to 8, or to a power of 4 above it
     GRID_KNOTS    (f) the knots, strictly rising
     GRID_WIDTH    segments per cell, at least 2; cell 2 k is the interval before knot k, cell 2 k + 1 the
                   knot itself
     GRID_ROWS     (i) a row of GRID_WIDTH + WORDS words per cell: the slots (m) whose degrees the segments
                   give, and the mask of the rules that can fire there
-    GRID_SEGMENTS (f) by cell and segment: origin, value, slope; slots without a segment have degree 0
+    GRID_SEGMENTS (f) by cell and segment: origin, value, run; slots without a segment have degree 0
 
 Record of a variable brought in (i):
     BRING_INPUT   (m) the variable

@@ -20,6 +20,8 @@ from fcl_sim.model import (
 
 LARGEST = 1e300
 """Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
+FLATTEST = 1e308
+"""Bound of the distance over which a degree would rise by 1."""
 
 HINTS = {
     "FCL401": "this version defuzzifies singletons: TERM name := number; METHOD : CoGS;",
@@ -28,7 +30,7 @@ HINTS = {
     "FCL404": "give the singleton as a number",
     "FCL405": "conclude on a term: variable IS term",
     "FCL406": "use terms and degrees of input variables",
-    "FCL407": "keep magnitudes, and slopes of membership functions, below 1e300",
+    "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
 }
 
 Finding = tuple[str, str, Span | None]
@@ -76,10 +78,10 @@ def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
 
 
 def _holds(left: Point, right: Point) -> bool:
-    """Return whether a stretch between two points, and its slope, are safely finite."""
+    """Return whether a stretch between two points, and its run, are safely finite."""
     start, end = float(left.x), float(right.x)
-    steep = start != end and abs(right.degree - left.degree) > LARGEST * (end - start)
-    return max(abs(start), abs(end)) < LARGEST and not steep
+    rise = abs(right.degree - left.degree)
+    return max(abs(start), abs(end)) < LARGEST and (rise == 0.0 or end - start < FLATTEST * rise)
 
 
 def _output(output: Defuzzification) -> Iterator[Finding]:

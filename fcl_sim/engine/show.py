@@ -63,18 +63,16 @@ def _grids(program: Program) -> Iterator[str]:
         knots = floats[grid[p.GRID_KNOTS] :][:count]
         knots = knots[~np.isnan(knots)]
         yield ""
-        yield f"grid {names[int(grid[p.GRID_INPUT])]}: {len(knots)} knots, up to {width} terms in a cell"
+        yield f"grid {names[int(grid[p.GRID_INPUT])]}: {len(knots)} knots, up to {width} degrees in a cell"
         for cell in range(2 * len(knots) + 1):
             row = ints[grid[p.GRID_ROWS] + cell * (width + words) :][: width + words]
             segments = floats[grid[p.GRID_SEGMENTS] + cell * width * p.SEGMENT_SIZE :].reshape(-1)
             yield f"  {_place(knots, cell):18}  rules {_mask(row[width:], program)}"
             for k, slot in enumerate(row[:width].tolist()):
                 if slot in names:
-                    origin, value, slope = segments[k * p.SEGMENT_SIZE :][: p.SEGMENT_SIZE]
-                    line = (
-                        f"{value:.6g}" if slope == 0.0 else f"{value:.6g} + {slope:.6g} · (x - {origin:.6g})"
-                    )
-                    yield f"      {names[slot]} = {line}"
+                    origin, value, run = segments[k * p.SEGMENT_SIZE :][: p.SEGMENT_SIZE]
+                    rise = "" if np.isinf(run) else f" + (x - {origin:g}) / {run:g}"
+                    yield f"      {names[slot]} = {value:g}{rise}"
 
 
 def _place(knots: np.ndarray[tuple[int], np.dtype[np.float64]], cell: int) -> str:

@@ -1,5 +1,8 @@
 """Rule bases built by hand, so that the engine's tests need no reader."""
 
+from collections.abc import Callable
+from itertools import product
+
 from fcl_sim.model import (
     Accumulation,
     And,
@@ -118,37 +121,31 @@ CRANE_THREE = crane(
 """The three rules of figure C.8."""
 
 
-def linear(
-    name: str,
-    axes: dict[str, tuple[tuple[float, ...], float]],
+def tabulated(
+    peaks: dict[str, tuple[float, ...]],
+    law: Callable[..., float],
     and_operator: AndOperator = AndOperator.PROD,
     accumulation: Accumulation = Accumulation.MAX,
     shared: bool = False,
 ) -> FunctionBlock:
-    """Return the linear equivalent of the sum of gain times input (PLANTS.md, section 6).
+    """Return a base with a rule at each node of the grid of `peaks` that concludes on the law's value there.
 
-    `axes` gives each input its peaks and its gain. With `shared`, nodes of one
-    value conclude on one term; else every rule has its own.
+    With `shared`, nodes of one value conclude on one term; else every rule has
+    its own.
     """
-    nodes: list[tuple[tuple[tuple[str, str], ...], float]] = [((), 0.0)]
-    for variable, (peaks, gain) in axes.items():
-        nodes = [
-            ((*path, (variable, f"t{i}")), value + gain * peak)
-            for path, value in nodes
-            for i, peak in enumerate(peaks)
-        ]
     names: dict[float, str] = {}
     rules, terms = [], []
-    for number, (path, value) in enumerate(nodes, 1):
+    for number, node in enumerate(product(*(range(len(each)) for each in peaks.values())), 1):
+        value = law(*(each[i] for each, i in zip(peaks.values(), node, strict=True)))
         if not shared or value not in names:
             names[value] = f"s{len(terms)}"
             terms.append(singleton(names[value], value))
+        path = [(variable, f"t{i}") for variable, i in zip(peaks, node, strict=True)]
         rules.append(rule(str(number), every(*path), ("y", names[value])))
     return block(
-        {variable: _partition(peaks) for variable, (peaks, _) in axes.items()},
+        {variable: _partition(each) for variable, each in peaks.items()},
         (output("y", *terms),),
         RuleBlock(name="No1", and_operator=and_operator, accumulation=accumulation, rules=tuple(rules)),
-        name=name,
     )
 
 

@@ -1,0 +1,169 @@
+import gc
+import sys
+from math import inf, nan
+
+import pytest
+
+from fcl_sim.engine.assemble import assemble
+from fcl_sim.engine.instance import Instance
+from fcl_sim.jit import compiled
+from fcl_sim.model import RuleBlock, Variable
+from tests.engine.bases import CRANE, block, crane, every, output, points, rule, singleton
+
+BAND = {"x": (points("low", (0, 1), (1, 0)), points("high", (2, 0), (3, 1)))}
+
+
+def held(default=None, **initial):
+    """Return an instance of a base that has no rule between 1 and 2."""
+    base = block(
+        BAND,
+        (output("y", singleton("small", -1), singleton("big", 4), default=default),),
+        RuleBlock(
+            name="r",
+            rules=(
+                rule("1", every(("x", "low")), ("y", "small")),
+                rule("2", every(("x", "high")), ("y", "big")),
+            ),
+        ),
+        initial=initial,
+    )
+    return Instance(base, assemble(base))
+
+
+def test_inputs_that_are_not_given_keep_their_value():
+    instance = Instance(CRANE, assemble(CRANE))
+    instance(distance=2.0, angle=3.0)
+    once = instance.outputs
+    instance(angle=1.0)
+    assert instance.inputs == {"distance": 2.0, "angle": 1.0}
+    assert instance.outputs != once
+    instance(angle=3.0)
+    assert instance.outputs == once
+
+
+def test_nc_keeps_the_previous_value_and_at_first_the_initial_one():
+    instance = held(y=0.75)
+    instance(x=1.5)
+    assert (instance.y, instance.active) == (0.75, {"y": False})
+    instance(x=3.0)
+    assert (instance.y, instance.active) == (4.0, {"y": True})
+    instance(x=1.5)
+    assert (instance.y, instance.active) == (4.0, {"y": False})
+
+
+def test_default_is_taken_where_no_rule_is_active():
+    instance = held(default=-8.0)
+    instance(x=3.0)
+    instance(x=1.5)
+    assert instance.y == -8.0
+
+
+def test_a_default_of_nan_is_given_out():
+    instance = held(default=nan)
+    instance(x=1.5)
+    assert instance.y != instance.y
+
+
+def test_reset_is_a_cold_restart():
+    instance = held(x=2.5, y=0.75)
+    instance(x=3.0)
+    instance.reset()
+    assert instance.inputs == {"x": 2.5}
+    assert instance.outputs == {"y": 0.75}
+    assert instance.active == {"y": False}
+
+
+def test_instances_do_not_share_their_memory():
+    first, second = held(), held()
+    first(x=3.0)
+    second(x=1.5)
+    first(x=1.5)
+    assert (first.y, second.y) == (4.0, 0.0)
+
+
+def test_names_are_found_in_any_letter_case():
+    instance = Instance(CRANE, assemble(CRANE))
+    instance(Distance=2.0, ANGLE=3.0)
+    assert instance.inputs == {"distance": 2.0, "angle": 3.0}
+    assert instance.Power == instance.power
+
+
+def test_an_unknown_input_is_an_error_that_names_the_nearest():
+    instance = Instance(CRANE, assemble(CRANE))
+    with pytest.raises(TypeError) as error:
+        instance(distnce=2.0)
+    assert str(error.value) == "no input distnce; did you mean distance?"
+
+
+def test_an_unknown_output_is_an_error_that_names_what_there_is():
+    instance = Instance(CRANE, assemble(CRANE))
+    with pytest.raises(AttributeError) as error:
+        _ = instance.voltage
+    assert str(error.value) == "no output voltage; there is power"
+    assert not hasattr(instance, "distance")
+
+
+@pytest.mark.parametrize("value", [nan, inf, -inf])
+def test_a_value_that_is_not_finite_is_an_error_and_changes_nothing(value):
+    instance = Instance(CRANE, assemble(CRANE))
+    instance(distance=2.0, angle=3.0)
+    before = (instance.inputs, instance.outputs)
+    with pytest.raises(ValueError, match=rf"^angle is {value}$"):
+        instance(distance=1.0, angle=value)
+    assert (instance.inputs, instance.outputs) == before
+
+
+def test_a_value_that_is_no_number_is_an_error():
+    with pytest.raises(TypeError, match=r"^angle must be a number, not str$"):
+        Instance(CRANE, assemble(CRANE))(angle="4")
+
+
+def test_an_explanation_leaves_the_instance_alone():
+    instance = held()
+    instance(x=3.0)
+    explanation = instance.explain(x=1.5)
+    assert explanation.defuzzified[0].value == 4.0
+    assert explanation.fired == ()
+    assert (instance.inputs, instance.active) == ({"x": 3.0}, {"y": True})
+
+
+def test_an_instance_shows_its_values():
+    instance = held()
+    instance(x=3.0)
+    assert repr(instance) == "<instance of block: x=3, y=4>"
+    assert "y" in dir(instance)
+
+
+def test_a_weight_from_outside_is_taken_into_0_to_1():
+    base = block(
+        BAND,
+        (output("y", singleton("small", -1), singleton("big", 4)),),
+        RuleBlock(
+            name="r",
+            rules=(
+                rule("1", every(("x", "low")), ("y", "small", "w")),
+                rule("2", every(("x", "low")), ("y", "big")),
+            ),
+        ),
+        more_inputs=(Variable("w", initial=1.0),),
+    )
+    program = assemble(base)
+    instance = Instance(base, program)
+    outputs = []
+    for weight in (-3.0, 0.0, 0.25, 1.0, 7.0):
+        instance(x=0.0, w=weight)
+        outputs.append(instance.y)
+    assert outputs == [4.0, 4.0, (4 - 0.25) / 1.25, 1.5, 1.5]
+
+
+def test_a_million_calls_leave_nothing_behind():
+    base = crane(("far", "zero", "pos_high"), default=None)
+    instance = Instance(base, assemble(base))
+    instance(distance=1.0, angle=2.0)
+    gc.collect()
+    before = sys.getallocatedblocks()
+    for step in range(500_000 if compiled() else 500):
+        instance(distance=step * 1e-4, angle=0.0)
+        instance(angle=1.0)
+    gc.collect()
+    assert abs(sys.getallocatedblocks() - before) < 100

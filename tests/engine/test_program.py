@@ -1,0 +1,124 @@
+from fcl_sim.engine.assemble import assemble
+from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.labels import unique_labels
+from fcl_sim.engine.program import RULE, RULE_DEGREE
+from fcl_sim.engine.show import program_text
+from fcl_sim.model import And, Degree, Is, Not, Or, RuleBlock, Variable
+from tests.engine.bases import CRANE, CRANE_THREE, block, every, output, points, rule, singleton
+
+SMALL = block(
+    {"x": (points("low", (0, 1), (1, 0)), points("high", (0, 0), (1, 1)))},
+    (output("y", singleton("small", -1), singleton("big", 4), default=None),),
+    RuleBlock(
+        name="r",
+        rules=(
+            rule("1", every(("x", "low")), ("y", "small", 0.5)),
+            rule("2", Or((Not(Is("x", "low")), And((Is("x", "high"), Degree("d"))))), ("y", "big", "d")),
+        ),
+    ),
+    more_inputs=(Variable("d", initial=0.25),),
+    name="small",
+)
+
+SHOWN = """\
+program small: 107 integers, 54 floats, 19 words of memory
+
+memory (the first 6 words are recorded)
+  m0    x
+  m1    d
+  m2    y
+  m3    y active
+  m4    rule 1
+  m5    rule 2
+  m6    x IS low
+  m7    x IS high
+  m8    x IS NOT low
+  m9    degree d
+  m10   NOT degree d
+  m11   accumulated y IS small
+  m12   accumulated y IS big
+  m14   clamps
+
+grid x: 2 knots, up to 3 degrees in a cell
+  -inf < x < 0        rules 1
+      x IS low = 1
+  x = 0               rules 1
+      x IS low = 1
+  0 < x < 1           rules 1, 2
+      x IS low = 0 + (x - 1) / -1
+      x IS high = 0 + (x - 0) / 1
+      x IS NOT low = 0 + (x - 0) / 1
+  x = 1               rules 2
+      x IS high = 1
+      x IS NOT low = 1
+  1 < x < inf         rules 2
+      x IS high = 1
+      x IS NOT low = 1
+
+rules
+  1: MIN [x IS low]
+      max m11, weight 0.5
+  2: code [x IS NOT low; x IS high; degree d; MIN; MAX]
+      max m12, weight degree d
+
+outputs
+  y: MAX at m11, places -1, 4, DEFAULT NC"""
+
+
+def test_a_program_can_be_looked_at():
+    assert program_text(assemble(SMALL)) == SHOWN
+
+
+def test_the_head_of_the_memory_is_what_a_trace_records():
+    program = assemble(CRANE_THREE)
+    memory = program.initial.copy()
+    memory[:2] = 12.0, 4.0
+    evaluate_one(program.ints, program.floats, memory)
+    assert program.recorded == 2 + 2 * 1 + 3
+    assert memory[: program.recorded].tolist() == [12.0, 4.0, 7.2, 1.0, 0.8, 0.2, 1 / 6]
+
+
+def test_a_clamp_is_counted():
+    program = assemble(SMALL)
+    memory = program.initial.copy()
+    counts = []
+    for degree in (-0.5, 0.0, 1.0, 1.5):
+        memory[1] = degree
+        evaluate_one(program.ints, program.floats, memory)
+        counts.append(memory[program.layout.clamps])
+    assert counts == [1.0, 0.0, 0.0, 1.0]
+
+
+def test_labels_are_unique_and_say_their_rule_block_where_there_are_several():
+    def rules(*labels):
+        return tuple(rule(label, every(("x", "low")), ("y", "small")) for label in labels)
+
+    def labelled(*rule_blocks):
+        return unique_labels(block({}, (), *rule_blocks))
+
+    assert labelled(RuleBlock(name="a", rules=rules("1", "1", "", "1"))) == ("1", "1 (2)", "3", "1 (3)")
+    assert labelled(RuleBlock(name="a", rules=rules("1")), RuleBlock(name="", rules=rules("1", "x"))) == (
+        "a.1",
+        "2.1",
+        "2.x",
+    )
+
+
+def test_only_rules_that_can_fire_are_visited():
+    program = assemble(CRANE)
+    ints = program.ints.copy()
+    record = next(at for at in ints[ints[RULE] : ints[RULE] + 32] if ints[at + RULE_DEGREE] == 9)
+    ints[record + RULE_DEGREE] = 0  # rule 6 now betrays itself: it overwrites the distance
+    for distance, fires in ((30.0, False), (0.0, True)):
+        memory = program.initial.copy()
+        memory[:2] = distance, 0.0
+        evaluate_one(ints, program.floats, memory)
+        assert bool(memory[0] != distance) is fires
+
+
+def test_a_block_without_rules_or_terms_is_evaluated_to_its_default():
+    empty = block({"x": ()}, (output("y", singleton("s", 3), default=2.0),))
+    program = assemble(empty)
+    memory = program.initial.copy()
+    evaluate_one(program.ints, program.floats, memory)
+    assert memory[: program.recorded].tolist() == [0.0, 2.0, 0.0]
