@@ -1,0 +1,68 @@
+import os
+import shutil
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+
+from fcl_sim.cli.program import program
+from tests.house.places import ROOT
+
+SHORT = """\
+title = "The first second"
+duration = "1 s"
+controller = { file = "crane.controller.toml", inputs = { distance = "crane.distance", angle = "crane.angle" } }
+
+[plant]
+model  = "crane"
+start  = { position = "-25 m" }
+inputs = { power = "controller.power" }
+
+[[require]]
+id = "S-1"
+text = "The container hardly swings"
+metric = { peak = { signal = "crane.sway" } }
+max = "9 deg"
+"""
+
+
+@pytest.fixture
+def invoke(monkeypatch):
+    """Run the command line in this process: exit code, stdout and stderr are attributes of the result."""
+    monkeypatch.delenv("NO_COLOR", raising=False)
+
+    def run(*arguments):
+        return CliRunner().invoke(program, [str(each) for each in arguments], prog_name="fcl-sim")
+
+    return run
+
+
+@pytest.fixture
+def start(tmp_path):
+    """Run the command line as a process of its own in `tmp_path`, as a user does."""
+
+    def run(*arguments, **options):
+        return subprocess.run(
+            [sys.executable, "-m", "fcl_sim", *map(str, arguments)],
+            **{"cwd": tmp_path, "capture_output": True, "text": True, "check": False, "env": environment()} | options,
+        )
+
+    return run
+
+
+def environment(**settings):
+    """Return the environment of a user who has fcl_sim installed."""
+    kept = {name: value for name, value in os.environ.items() if name not in {"COLUMNS", "NO_COLOR"}}
+    return kept | {"PYTHONPATH": str(ROOT)} | settings
+
+
+@pytest.fixture
+def bench(tmp_path, monkeypatch):
+    """Stand in a bench with one short scenario, `scenarios/crane/short.toml`."""
+    folder = tmp_path / "bench"
+    crane = folder / "scenarios" / "crane"
+    shutil.copytree(ROOT / "scenarios" / "crane", crane, ignore=shutil.ignore_patterns("transfer.toml", "printed.*"))
+    (crane / "short.toml").write_text(SHORT)
+    monkeypatch.chdir(folder)
+    return folder

@@ -1,0 +1,116 @@
+import json
+import math
+
+import pytest
+
+from tests.house.places import ROOT
+
+CRANE = ROOT / "scenarios" / "crane" / "crane_printed.fcl"
+
+FIGURE_C8 = """\
+FUNCTION_BLOCK three
+VAR_INPUT distance: REAL; angle: REAL; END_VAR
+VAR_OUTPUT power: REAL; END_VAR
+FUZZIFY distance TERM medium := (5, 0) (10, 1) (22, 0); TERM far := (10, 0) (22, 1); END_FUZZIFY
+FUZZIFY angle TERM zero := (-5, 0) (0, 1) (5, 0); TERM pos_small := (0, 0) (5, 1) (50, 0); END_FUZZIFY
+DEFUZZIFY power TERM zero := 0; TERM pos_medium := 9; METHOD: CoGS; DEFAULT := 0; END_DEFUZZIFY
+RULEBLOCK No1
+    AND: MIN; ACCU: MAX;
+    RULE 1: IF distance IS medium AND angle IS pos_small THEN power IS pos_medium;
+    RULE 2: IF distance IS medium AND angle IS zero THEN power IS zero;
+    RULE 3: IF distance IS far AND angle IS zero THEN power IS pos_medium;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+"""
+
+
+@pytest.fixture
+def three(tmp_path):
+    file = tmp_path / "three.fcl"
+    file.write_text(FIGURE_C8)
+    return file
+
+
+def test_the_three_rules_of_figure_c8_give_7_2_exactly(invoke, three):
+    result = invoke("eval", three, "distance=12", "angle=4")
+    assert (result.exit_code, result.stdout, result.stderr) == (0, "power = 7.2\n", "")
+
+
+def test_every_step_is_shown_on_request(invoke):
+    result = invoke("eval", CRANE, "distance=12", "angle=4", "--explain")
+    lines = [line.strip() for line in result.stdout.splitlines()]
+    for shown in ("medium   0.8333", "far      0.1667", "zero       0.2", "pos_small  0.8"):
+        assert shown in lines
+
+
+def test_json_has_every_digit_and_every_rule(invoke, three):
+    document = json.loads(invoke("eval", three, "distance=12", "angle=4", "--json").stdout)
+    assert document == {
+        "schema": 1,
+        "block": "three",
+        "inputs": {"distance": 12.0, "angle": 4.0},
+        "outputs": {"power": 7.2},
+        "active": {"power": True},
+        "degrees": {"1": 0.8, "2": 0.2, "3": 1 / 6},
+    }
+    whole = json.loads(invoke("eval", three, "distance=12", "angle=4", "--json", "--explain").stdout)
+    assert whole["explanation"]["defuzzified"][0]["value"] == 7.2
+
+
+def test_an_output_without_an_active_rule_says_where_its_value_comes_from(invoke):
+    result = invoke("eval", CRANE, "distance=-10", "angle=0")
+    assert result.stdout == "power = 0  (no rule is active: DEFAULT)\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["distance=12"], "three needs a value for angle"),
+        (["distance=12", "angel=4"], "no input angel; did you mean angle?"),
+        (["distance=12", "angle=nan"], "angle is nan"),
+        (["distance", "angle=4"], "'distance' is not NAME=NUMBER"),
+        (["distance=1,5", "angle=4"], "'1,5' for 'distance' is not a number: the decimal separator is a point"),
+        (["distance=far", "angle=4"], "'far' for 'distance' is not a number"),
+        (["angle=1", "angle=2"], "'angle' is given twice"),
+    ],
+)
+def test_inputs_that_do_not_fit_are_wrong_usage(invoke, three, arguments, message):
+    result = invoke("eval", three, *arguments)
+    assert result.exit_code == 2
+    assert result.stderr.endswith(f"\nError: {message}\n")
+
+
+def test_figure_c16_as_printed_is_refused_at_the_guilty_word(invoke, tmp_path):
+    file = tmp_path / "printed.fcl"
+    corrected = CRANE.read_text("utf-8")
+    line = next(each for each in corrected.splitlines() if "RULE 2" in each and "THEN" in each)
+    file.write_text(corrected.replace(line, line.replace("pos_high", "pos_big")))
+    number = corrected.splitlines().index(line) + 1
+    result = invoke("eval", file, "distance=12", "angle=4")
+    assert result.exit_code == 3
+    first, excerpt, caret, *rest = result.stderr.splitlines()
+    assert first.startswith(f"{file}:{number}:{line.index('pos_high') + 1}: error[FCL310]: ")
+    assert caret.index("^^^^^^^") == excerpt.index("pos_big")
+    assert any("pos_high" in each for each in rest if "hint" in each)
+
+
+def test_a_missing_file_is_one_line_with_the_nearest_name(invoke, three):
+    result = invoke("eval", three.with_name("tree.fcl"), "distance=12")
+    assert result.exit_code == 3
+    assert result.stderr == (
+        f"{three.with_name('tree.fcl')}: error[FCL101]: there is no such file\n  hint: did you mean `{three}`?\n"
+    )
+
+
+def test_one_block_of_several_is_chosen_by_name(invoke, three):
+    three.write_text(FIGURE_C8 + FIGURE_C8.replace("three", "other").replace(":= 9;", ":= 18;"))
+    result = invoke("eval", three, "distance=12", "angle=4", "--block", "other")
+    assert result.stdout == "power = 14.4\n"
+    assert invoke("eval", three, "distance=12", "angle=4").exit_code == 3
+
+
+def test_numbers_are_printed_with_the_digits_that_tell_them_apart(invoke, three):
+    value = float(invoke("eval", three, "distance=12.3", "angle=4.1").stdout.removeprefix("power = "))
+    degrees = json.loads(invoke("eval", three, "distance=12.3", "angle=4.1", "--json").stdout)
+    assert value == degrees["outputs"]["power"]
+    assert not math.isnan(value)
