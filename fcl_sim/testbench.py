@@ -19,7 +19,7 @@ from fcl_sim.scenario.binder import bind, check_inputs, requirements
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 
-__all__ = ["BASE", "Outcome", "Prepared", "Run", "bench_of", "prepare", "run", "run_scenario"]
+__all__ = ["BASE", "Outcome", "Prepared", "Run", "bench_of", "prepare", "run", "run_prepared", "run_scenario"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,7 +86,7 @@ def run(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Outcome
 
 def run_scenario(scenario: Scenario) -> Outcome:
     """Return what comes of a scenario that was read."""
-    runs = {each.variant: _run(each) for each in prepare(scenario)}
+    runs = {each.variant: run_prepared(each) for each in prepare(scenario)}
     verdict = worst([each.verdict for each in runs.values()])
     return Outcome(scenario=scenario, variants=MappingProxyType(runs), verdict=verdict)
 
@@ -116,7 +116,8 @@ def _prepare(scenario: Scenario, variant: str) -> Prepared:
     )
 
 
-def _run(prepared: Prepared) -> Run:
+def run_prepared(prepared: Prepared) -> Run:
+    """Return what comes of one variant: simulated, judged."""
     begun = perf_counter()
     trace = simulate(prepared.diagram)
     seconds = perf_counter() - begun

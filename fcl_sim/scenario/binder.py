@@ -1,6 +1,7 @@
 """Scenario → Diagram: names become paths, texts become numbers, files become plants and blocks."""
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from fcl_sim.block import load
@@ -120,7 +121,21 @@ def _values(
         value = converted(entry, parse_unit(units[name]), f"`{name}`", faults)
         if value is not None:
             values[name] = value
+            faults += _out_of_range(name, value, entry, declared)
     return values
+
+
+def _out_of_range(
+    name: str, value: float, entry: Entry, declared: tuple[Parameter, ...] | tuple[State, ...]
+) -> Iterator[Diagnostic]:
+    for each in declared:
+        if each.name == name and isinstance(each, Parameter):
+            low = -math.inf if each.minimum is None else each.minimum
+            high = math.inf if each.maximum is None else each.maximum
+            if not low <= value <= high:
+                bounds = f"at least {low:g}" if math.isinf(high) else f"between {low:g} and {high:g}"
+                hint = f"it must be {bounds} {each.unit}: {each.meaning}"
+                yield finding("SCN310", f"`{name}` cannot be {entry.value}", entry, hint)
 
 
 def _node(setup: Setup, name: str, block: Entry, faults: Faults) -> Node | FuzzyNode | None:
@@ -135,6 +150,9 @@ def _node(setup: Setup, name: str, block: Entry, faults: Faults) -> Node | Fuzzy
         term: _wired(Entry(term, entry.key, entry.key), scope, faults) for term, entry in entries.items()
     }
     given = {each.name: entry for each in kind.parameters if (entry := block.get(each.name)) is not None}
+    for each in kind.parameters:
+        if each.unit is not None:
+            converted(given.get(each.name), parse_unit(each.unit), f"`{each.name}`", faults)
     parameters = {key: parse_quantity(entry.value) for key, entry in {**given, **entries}.items()}
     return Node(name=name, type=kind.name, inputs=wires, parameters=parameters, span=block.key)
 

@@ -16,6 +16,7 @@ SCENARIO, CONTROLLER_FILE, RULE_BASE = "scenario", "controller", "rule base"
 
 BYTE_ORDER_MARK = "\ufeff"
 _PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
+_TRAILING_COMMA = re.compile(r",\s*}")
 _BARE_QUANTITY = re.compile(r"=\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[a-zA-Z%°µ][^\s#,}\]]*)")
 
 
@@ -100,6 +101,8 @@ def _plainly(message: str) -> str:
 
 
 def _mend(line: str, message: str) -> str:
+    if _TRAILING_COMMA.search(line):
+        return "TOML allows no comma before }"
     quantity = _BARE_QUANTITY.search(line)
     if quantity:
         return f'write quantities in quotes: "{quantity[1]}"'

@@ -127,8 +127,9 @@ def _expectation(value: Any) -> Any:
         for each in value.values():
             _choice(each, (FAIL,))
     elif value != FAIL:
+        shown = f"`{value}`" if isinstance(value, str) else kind(value)
         hint = 'write expect = "fail", or name the runs: expect = { base = "fail" }'
-        raise refused("SCN203", f"{{it}} can only announce a miss, not {value!r}", hint)
+        raise refused("SCN203", f"{{it}} can only announce a miss, not {shown}", hint)
     return value
 
 

@@ -100,15 +100,17 @@ def _metric_faults(metric: Entry, requirement: Entry) -> Iterator[Diagnostic]:
 
 def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
     known = [SIGNAL, *(each.name for each in (*metric.arguments, *WINDOW))]
+    meant = set()
     for name, entry in arguments.table.items():
         if name not in known:
             near = nearest(name, known)
+            meant.add(near)
             hint = f"did you mean `{near}`?" if near else f"it takes {listed(known)}"
             yield finding("SCN402", f"`{metric.name}` has no argument `{name}`", entry.key, hint)
     wanted = [(SIGNAL, "the signal it is taken of")]
     wanted += [(each.name, f"the {each.meaning}") for each in metric.arguments if each.required]
     for name, meaning in wanted:
-        if name not in arguments.table:
+        if name not in arguments.table and name not in meant:
             yield finding("SCN402", f"`{metric.name}` needs `{name}`: {meaning}", arguments.key)
     signal = arguments.get(SIGNAL)
     if signal is not None and not isinstance(signal.value, str):

@@ -129,8 +129,10 @@ class ScenarioFile(Table):
     controller: ControllerTable | None = Field(None, description="the controller")
     blocks: dict[Name, BlockTable] = Field({}, description="blocks that stand outside the controller")
     plant: PlantTable = Field(description="the plant")
-    timing: TimingTable = Field(TimingTable(), description="latency, jitter and cycle time")
-    integration: IntegrationTable = Field(IntegrationTable(), description="integration of the plant")
+    timing: TimingTable = Field(default_factory=TimingTable, description="latency, jitter and cycle time")
+    integration: IntegrationTable = Field(
+        default_factory=IntegrationTable, description="integration of the plant"
+    )
     variants: dict[Name, dict[str, Any]] = Field({}, description="further runs, each by what differs")
     require: list[RequirementTable] = Field([], description="what is required of every run")
 
@@ -173,7 +175,17 @@ def json_schema(of: str = "scenario") -> dict[str, Any]:
     definitions["BlockTable"] = {"title": "BlockTable", "oneOf": references}
     for table in (schema, *definitions.values()):
         for each in table.get("properties", {}).values():
-            each.pop("title", None)  # pydantic's is the key again
-            if each.get("default", 0) is None:
-                del each["default"]
+            _tidy(each)
     return {"$schema": DIALECT, **schema}
+
+
+def _tidy(field: dict[str, Any]) -> None:
+    """Take out of a field what pydantic adds: a title that is its key again, and null, which TOML has not."""
+    field.pop("title", None)
+    if field.get("default", 0) is None:
+        del field["default"]
+    kinds = [each for each in field.pop("anyOf", ()) if each != {"type": "null"}]
+    if len(kinds) == 1:
+        field |= kinds[0]
+    elif kinds:
+        field["anyOf"] = kinds

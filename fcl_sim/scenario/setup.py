@@ -17,8 +17,8 @@ from fcl_sim.scenario.variants import without_unknown_blocks
 
 Faults = list[Diagnostic]
 
-OWN_KEYS = ("file", "inputs")
-"""What [controller] says for itself; its other keys are laid over the controller file."""
+LAID_OVER = ("scan", "blocks", "outputs")
+"""What [controller] lays over the controller file; `file` and `inputs` it says for itself."""
 
 
 def setup_of(reading: Reading, variant: str, tree: Entry) -> Setup | None:
@@ -31,11 +31,11 @@ def setup_of(reading: Reading, variant: str, tree: Entry) -> Setup | None:
         blocks |= _blocks(controller, f"{CONTROLLER}.", faults)
     rule_bases = _rule_bases(reading, blocks)
     timing = None
-    if not faults:
+    if not faults and (named is None or controller is not None):
         timing, more = timing_of(tree, controller)
         faults += more
         faults += (*_loose_inputs(named, controller), *_clashes(controller)) if named and controller else ()
-    if reading.note(faults) or timing is None or (named is not None and controller is None):
+    if reading.note(faults) or timing is None:
         return None
     return Setup(
         variant=variant,
@@ -63,7 +63,8 @@ def _controller_tree(reading: Reading, named: Entry, faults: Faults) -> Entry | 
     except InputFault as fault:
         faults += fault.diagnostics
         return None
-    over, unknown = without_unknown_blocks(tree.get("blocks"), named.without(*OWN_KEYS), "the controller")
+    laid = named.keeping({key: named.table[key] for key in LAID_OVER if key in named.table})
+    over, unknown = without_unknown_blocks(tree.get("blocks"), laid, "the controller")
     whole = overlaid(tree, over)
     faults += unknown
     faults += shape_faults(ControllerFile, whole, "the controller")

@@ -1,6 +1,7 @@
 """Hold a tree against a model of `scenario.schema`: every fault at once, each where it stands."""
 
 from collections.abc import Iterator, Mapping
+from types import NoneType, UnionType
 from typing import Any, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
@@ -108,8 +109,9 @@ def _at(entry: Entry, location: Location) -> Entry:
 
 
 def _named(location: Location) -> str:
-    words = [str(each) for each in location if isinstance(each, str)]
-    return f"`{words[-1]}`" if words else "this"
+    if isinstance(location[-1], int):
+        return f"an entry of `{location[-2]}`"
+    return f"`{location[-1]}`"
 
 
 def _owner(location: Location, entry: Entry, what: str) -> str:
@@ -153,9 +155,18 @@ def _fields(model: type[BaseModel], location: Location) -> Mapping[str, Any]:
     """Return the fields of the model at a location."""
     here: Any = model
     for each in location:
+        here = _without_none(here)
         if isinstance(here, type) and issubclass(here, BaseModel):
             field = here.model_fields.get(str(each))
             here = field.annotation if field else None
         elif get_origin(here) in {dict, list}:
             here = get_args(here)[-1]
+    here = _without_none(here)
     return here.model_fields if isinstance(here, type) and issubclass(here, Table) else {}
+
+
+def _without_none(annotation: Any) -> Any:
+    """Return X of `X | None`."""
+    if get_origin(annotation) is UnionType:
+        return next(each for each in get_args(annotation) if each is not NoneType)
+    return annotation

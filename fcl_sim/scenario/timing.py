@@ -29,9 +29,15 @@ def timing_of(tree: Entry, controller: Entry | None) -> tuple[Timing | None, lis
     try:
         clock.check(timing)
     except InputFault as fault:
-        places = tuple(Place(span=each.span) for each in (duration, scan))
-        return None, [replace(each, places=places) for each in fault.diagnostics]
+        return None, [replace(each, places=_places(each, tree, scan)) for each in fault.diagnostics]
     return timing, faults
+
+
+def _places(fault: Diagnostic, tree: Entry, scan: Entry) -> tuple[Place, ...]:
+    """Return where the values stand that a fault of the clock speaks of."""
+    named = [tree.get("timing", "latency"), tree.get("timing", "jitter")]
+    others = named if "latency" in fault.message else [tree.get("duration")]
+    return tuple(Place(span=each.span) for each in (*others, scan) if each is not None)
 
 
 def _scan(tree: Entry, controller: Entry | None) -> tuple[Entry | None, list[Diagnostic]]:

@@ -36,12 +36,12 @@ def check(text: str) -> None:
             assert tomllib.loads(f"x = {position.value.text}")["x"] == value
 
 
-LEAVES = (
-    ["1", "-17", "0xFF", "1_000", "1.5", "-1e-3", "inf", "true", "false"]
-    + ["1979-05-27", "1979-05-27 07:32:00", "07:32:00", "1979-05-27T07:32:00.5Z"]
-    + ['"20 t"', '""', r'"a\"b # [x] = {y}"', r'"\\"', "'C:\\x'", "''", "'#'"]
-    + ['"""one\ntwo # no comment"""', r'"""quo"te \""" end"""', '"""two""""', "'''it''s\n\"x\" = 1'''", "''''a'''''"]
-)
+NUMBERS = ["1", "-17", "0xFF", "1_000", "1.5", "-1e-3", "inf", "true", "false"]
+DATES = ["1979-05-27", "1979-05-27 07:32:00", "07:32:00", "1979-05-27T07:32:00.5Z"]
+SHORT = ['"20 t"', '""', r'"a\"b # [x] = {y}"', r'"\\"', "'C:\\x'", "''", "'#'"]
+BASIC = ['"""one\ntwo # no comment"""', r'"""quo"te \""" end"""', '"""two""""']
+LITERAL = ["'''it''s\n\"x\" = 1'''", "''''a'''''"]
+LEAVES = [*NUMBERS, *DATES, *SHORT, *BASIC, *LITERAL]
 KEYS = ["a", "b-c", "d_1", '"e f"', "'g.h'", '""', r'"\u00e9\"="', "1", "'#'", '"]"']
 names = st.sampled_from(KEYS)
 space = st.sampled_from(["", " ", "\t", "  "])
@@ -73,9 +73,13 @@ def documents(draw: st.DrawFn) -> str:
     lines: list[str] = []
     for section in range(draw(st.integers(0, 4))):
         if section:
-            header = draw(space).join(["", *draw(st.sampled_from([["x"], ["x", ".", "y"], ["'q'", ".", "z"]]))])
+            header = draw(space).join(
+                ["", *draw(st.sampled_from([["x"], ["x", ".", "y"], ["'q'", ".", "z"]]))]
+            )
             style = draw(st.sampled_from([("[", "]"), ("[[", "]]")]))
-            lines.append(f"{draw(space)}{style[0]}{header.replace('x', f'x{section}')}{style[1]}{draw(comment)}")
+            lines.append(
+                f"{draw(space)}{style[0]}{header.replace('x', f'x{section}')}{style[1]}{draw(comment)}"
+            )
             if style[0] == "[[" and draw(st.booleans()):
                 lines.append(lines[-1])
         for key in draw(st.lists(names, max_size=4, unique_by=decoded)):
@@ -105,7 +109,7 @@ def test_positions_agree_with_tomllib_on_any_document(text: str) -> None:
         "[[r]]\nid = 1\n[r.s]\nt = 1\n[[r]]\nid = 2\n[r.s]\nt = 2\n[[r.u]]\nv = 1\n[[r.u]]\nv = 2\n",
         "[a.b.c]\n[a]\nx = 1\n[a.b]\ny = 2",
         "a = {b = {c = {}}}\n[ d . 'e' ] # note\nf = [ # note\n  1, # two\n  2,\n]",
-        'a = """\n  x = [\n"""\nb = \'\'\'\n[y]\n\'\'\'',
+        "a = \"\"\"\n  x = [\n\"\"\"\nb = '''\n[y]\n'''",
     ],
 )
 def test_positions_agree_with_tomllib(text: str) -> None:

@@ -1,0 +1,107 @@
+"""A scenario as text: what was read, each run spelled out or told apart from the base, the requirements."""
+
+from collections.abc import Iterator, Mapping
+from textwrap import wrap
+from typing import Any
+
+from fcl_sim.loop.schemes import SCHEMES
+from fcl_sim.scenario.model import BASE, Entries, RequirementText, Scenario, Setup
+from fcl_sim.scenario.tree import Entry
+
+WIDTH = 100
+DIGEST = 12
+
+
+def show_scenario(scenario: Scenario) -> str:
+    """Return a scenario for a reader: files, runs, requirements; a variant by what differs from the base."""
+    return "\n".join(_lines(scenario))
+
+
+def _lines(scenario: Scenario) -> Iterator[str]:
+    yield f"{scenario.name}: {scenario.title}"
+    for paragraph in scenario.description.splitlines():
+        yield from wrap(paragraph, WIDTH, initial_indent="  ", subsequent_indent="  ")
+    yield ""
+    yield "files"
+    for file in scenario.files:
+        yield f"  {file.role}: {file.name} (sha256 {file.digest[:DIGEST]}...)"
+    for key, value in scenario.overrides.items():
+        yield f"  override: {key} = {value}"
+    base = list(_run(scenario.base))
+    for name, setup in scenario.variants.items():
+        yield ""
+        yield f"run {name}: {setup.title}"
+        lines = base if name == BASE else [each for each in _run(setup) if each not in base]
+        yield from (f"  {each}" for each in lines)
+    yield ""
+    yield "requirements"
+    for requirement in scenario.requirements:
+        yield from _requirement(requirement)
+
+
+def _run(setup: Setup) -> Iterator[str]:
+    timing, integration = setup.timing, setup.integration
+    yield f"duration = {_time(timing.duration)}"
+    yield f"scan = {_time(timing.scan)}"
+    for name in ("latency", "jitter"):
+        if getattr(timing, name):
+            yield f"{name} = {_time(getattr(timing, name))}"
+    if timing.jitter:
+        yield f"seed = {timing.seed}"
+    if timing.measured:
+        yield "blocks take the measured cycle time"
+    controlled = bool(SCHEMES[integration.scheme].error)
+    accuracy = f"rtol {integration.rtol:g}" if controlled else f"step {integration.step:g} s"
+    yield f"integration by {integration.scheme}, {accuracy}"
+    plant = setup.plant
+    yield f"plant {plant.name} = plants/{plant.model.value}"
+    yield from _values(f"{plant.name} parameter ", plant.parameters)
+    yield from _values(f"{plant.name} starts at ", plant.start)
+    yield from _wires(f"{plant.name}.", plant.inputs)
+    if setup.controller is not None:
+        for name, unit in setup.controller.inputs.items():
+            wire = setup.controller.wires[name]
+            yield f"controller.{name} [{unit.value or '1'}] <- {wire.value}"
+        yield from _wires("controller.", setup.controller.outputs)
+    for name, block in setup.blocks.items():
+        yield f"{name} = {_block(block)}"
+
+
+def _values(prefix: str, entries: Entries) -> Iterator[str]:
+    for name, entry in entries.items():
+        yield f"{prefix}{name} = {entry.value}"
+
+
+def _wires(prefix: str, entries: Entries) -> Iterator[str]:
+    for name, entry in entries.items():
+        yield f"{prefix}{name} <- {entry.value}"
+
+
+def _block(block: Entry) -> str:
+    kind = block.table["type"].value
+    parts = [f"{key} = {_inline(each.plain())}" for key, each in block.table.items() if key != "type"]
+    return f"{kind}({', '.join(parts)})"
+
+
+def _inline(value: Any) -> str:
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{key} = {_inline(each)}" for key, each in value.items()) + "}"
+    return str(value)
+
+
+def _requirement(requirement: RequirementText) -> Iterator[str]:
+    arguments = "".join(f", {name} = {entry.value}" for name, entry in requirement.arguments.items())
+    bounds = [
+        f"{word} {entry.value}"
+        for word, entry in (("at least", requirement.minimum), ("at most", requirement.maximum))
+        if entry is not None
+    ]
+    metric = f"{requirement.metric}({requirement.signal.value}{arguments})"
+    yield f"  {requirement.id}: {metric} {', '.join(bounds)}"
+    if requirement.expect:
+        yield f"    expected to fail: {', '.join(sorted(requirement.expect))}"
+    yield from wrap(requirement.text, WIDTH, initial_indent="    ", subsequent_indent="    ")
+
+
+def _time(ticks: int) -> str:
+    return f"{ticks / 1e9:.9g} s"

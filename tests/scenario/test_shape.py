@@ -1,0 +1,62 @@
+"""What has not the shape of a scenario, or is no TOML at all, is named where it stands."""
+
+import pytest
+
+MISSHAPEN = [
+    (
+        "",
+        "scenarios/own.toml: error[SCN202]: the scenario has no `title`\n  hint: title: one line for tables",
+    ),
+    (
+        "plant = 3",
+        "`plant` is a table, not a number\n  1 | plant = 3\n    |         ^\n  hint: write [plant], or",
+    ),
+    ("title = 5", "`title` is a text, not a number"),
+    ('title = " "', "`title` is empty"),
+    ("[require]", "`require` is a list, not a table"),
+    ("[variants.'a b']", "`a b` is no name"),
+    ("[plant]\nmodel = 'crane'\ninputs = { power = 3 }", "`power` is the name of a signal, not a number"),
+    ("[plant]\nmodel = 'crane'\ninputs = { power = 'a b c.' }", "`power`: `a b c.` is no name of a signal"),
+    ("[timing]\nseed = 'x'", "`seed` is a whole number, not a text"),
+    ("[timing]\nseed = -1", "`seed` must lie between 0 and 2^63 - 1"),
+    ("[timing]\nlatency = '-1 s'", "`latency` is negative: -1 s"),
+    ("[timing]\nlatency = true", "`latency` is a time, not true or false"),
+    ("[timing]\ncycle_time = 'mesured'", "`cycle_time` cannot be `mesured`"),
+    ("[integration]\nrtol = 0", "`rtol` must be greater than 0 and finite, not 0"),
+    ("[integration]\nrtol = '1e-8'", "`rtol` is a number, not a text"),
+    ("[integration]\nscheme = 'rk45'", "`scheme` cannot be `rk45`"),
+    ("[integration]\nstep = '0 s'", "`step` must be greater than 0"),
+    ("duration = '1 m'", "`duration`: 1 m is no time"),
+    ("duration = 1979-05-27", "`duration` is a time, not a date or time"),
+    ("[[require]]\nid = 'A'\nmetric = { peak = 3 }", "`peak` is a table, not a number"),
+    ("[[require]]\nid = 'A'\nmetric = { peak = {}, mean = {} }", "`metric` names 2 metrics instead of one"),
+    ("[[require]]\nid = 'A'\nmin = true", "`min` is a quantity, not true or false"),
+    ("[[require]]\nid = 'A'\nmin = '1 furlong'", "`min`: there is no unit `furlong`"),
+    ("[[require]]\ntext = 'A'", "`require` 1 has no `id`"),
+    ("[[require]]\nid = 'A'\nformula = 'x'", "`formula` is not read by this version"),
+    ("require = [3]", "an entry of `require` is a table, not a number"),
+    ("[blocks.gain]\ntype = 'gain'\ninput = 'x'", "`gain` has no `gain`"),
+    ("[blocks.x]\ninput = 'x'", "`x` has no `type`"),
+]
+
+
+@pytest.mark.parametrize(("text", "message"), MISSHAPEN)
+def test_what_has_not_its_shape_is_named(written, text, message):
+    assert message in written(text)
+
+
+NO_TOML = [
+    ("title = 'x", "not TOML"),
+    ("title = x", 'hint: texts are written in quotes, as in title = "Crane"'),
+    ("title = 'x'\ntitle = 'y'\n", "not TOML: a key or table is given twice\n  2 | title = 'y'"),
+    ("[plant]\n[plant]", "not TOML: a key or table is given twice\n  2 | [plant]"),
+    ("plant = { model = 'crane', }", "hint: TOML allows no comma before }"),
+    ("x = " + "[" * 5000, "not TOML: arrays or tables are nested too deeply"),
+    ("x = " + "9" * 5000, "not TOML: "),
+    ("x = '\0'", "not TOML: "),
+]
+
+
+@pytest.mark.parametrize(("text", "message"), NO_TOML, ids=range(len(NO_TOML)))
+def test_what_is_no_toml_is_told_with_its_line(written, text, message):
+    assert message in written(text)

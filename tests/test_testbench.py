@@ -1,0 +1,150 @@
+"""The whole sequence: a scenario file comes out judged, every variant, with its numbers."""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from fcl_sim import testbench
+from fcl_sim.diagnostics import InputFault
+from fcl_sim.judge.verdict import Status
+from fcl_sim.plant.catalog import shipped_bench
+from fcl_sim.testbench import BASE, Outcome
+
+CRANE = shipped_bench() / "scenarios" / "crane"
+
+
+@pytest.fixture(scope="module")
+def transfer() -> Outcome:
+    return testbench.run(CRANE / "transfer.toml")
+
+
+@pytest.fixture(scope="module")
+def printed() -> Outcome:
+    return testbench.run(CRANE / "printed.toml")
+
+
+def stall(outcome: Outcome, variant: str) -> float:
+    """Return how far from the target friction can hold the head: cr (M + m) g / 5400 N/m."""
+    plant = outcome.variants[variant].diagram.plant
+    defaults = {each.name: each.default for each in plant.model.declaration.parameters}
+    values = {**defaults, **plant.parameters}
+    mass = values["trolley_mass"] + values["load_mass"]
+    return values["rolling_resistance"] * mass * values["gravity"] / 5400
+
+
+@pytest.mark.parametrize("scenario", ["transfer", "printed"])
+def test_the_shipped_crane_is_green(request, scenario):
+    outcome = request.getfixturevalue(scenario)
+    assert outcome.verdict is Status.PASS
+    for run in outcome.variants.values():
+        assert run.trace.fault is None
+        assert run.verdict is Status.PASS
+        assert [each.status for each in run.verdicts] == [Status.PASS] * len(run.verdicts)
+
+
+def test_the_completed_base_has_the_figures_of_its_readme(transfer):
+    assert transfer.metrics["CR-1"] == pytest.approx(25.4, abs=0.1)
+    assert transfer.metrics["CR-2"] == pytest.approx(19.0, abs=0.1)
+    assert transfer.metrics["CR-3"] == 0.0
+    assert transfer.metrics["CR-4"] == pytest.approx(3.86, abs=0.01)
+    assert transfer.metrics["CR-5"] == pytest.approx(0.3180, abs=0.0005)
+    assert transfer.variants["heavy_and_far"].metrics["CR-2"] == pytest.approx(31.1, abs=0.1)
+    assert transfer.variants["heavy_and_far"].metrics["CR-5"] == pytest.approx(0.027, abs=0.002)
+    assert transfer.variants["frictionless"].metrics["CR-5"] < 0.001
+    assert transfer.variants["raw_distance"].metrics["CR-3"] == pytest.approx(7.9, abs=0.1)
+
+
+def test_the_head_parks_where_the_stall_law_says(transfer):
+    for variant in ("base", "light_load", "double_scan"):
+        parked = transfer.variants[variant].metrics["CR-5"]
+        assert parked == pytest.approx(stall(transfer, variant), abs=0.001)
+    assert transfer.variants["heavy_and_far"].metrics["CR-5"] <= stall(transfer, "heavy_and_far")
+
+
+def test_the_printed_base_has_the_figures_of_its_readme(printed):
+    final = {name: run.trace["crane.distance"][-1] for name, run in printed.variants.items()}
+    assert final["base"] == pytest.approx(-34.8, abs=0.5)
+    assert final["from_20_m"] == pytest.approx(-20.8, abs=0.5)
+    assert final["from_40_m"] == pytest.approx(-46.2, abs=0.5)
+    assert printed.variants["from_10_m"].metrics["PR-1"] == 0.0
+    assert np.all(printed.variants["from_10_m"].trace["crane.distance"] == 10.0)
+    assert np.all(printed.variants["from_10_m"].trace["controller.power"] == 0.0)
+
+
+def test_every_miss_of_the_printed_base_is_told_requirement_by_requirement(printed):
+    missed = {
+        name: [each.requirement.id for each in run.verdicts if each.measured is Status.FAIL]
+        for name, run in printed.variants.items()
+    }
+    assert missed == {
+        BASE: ["PR-2", "PR-3", "PR-4", "PR-6"],
+        "from_10_m": ["PR-1", "PR-2", "PR-6"],
+        "from_20_m": ["PR-2", "PR-3", "PR-4", "PR-6"],
+        "from_40_m": ["PR-2", "PR-4", "PR-6"],
+        "predicted_distance": ["PR-2", "PR-3", "PR-4", "PR-6"],
+    }
+
+
+def test_an_outcome_gives_the_base_run_first_hand(transfer):
+    assert transfer.base is transfer.variants[BASE]
+    assert transfer.trace is transfer.base.trace
+    assert transfer.trace.time[-1] == 60.0
+    assert transfer.trace["crane.angle"].shape == transfer.trace.time.shape
+    assert transfer.variants["double_scan"].trace.time[1] == 0.1
+
+
+def test_overrides_change_every_run_that_does_not_say_otherwise():
+    outcome = testbench.run(
+        CRANE / "transfer.toml", overrides={"plant.parameters.load_mass": "10 t", "duration": "5 s"}
+    )
+    assert {name: run.diagram.plant.parameters["load_mass"] for name, run in outcome.variants.items()} == {
+        **dict.fromkeys(outcome.variants, 10_000.0),
+        "heavy_and_far": 40_000.0,
+    }
+
+
+def test_a_trace_that_is_too_short_is_inconclusive_expected_or_not():
+    outcome = testbench.run(CRANE / "transfer.toml", overrides={"duration": "5 s"})
+    statuses = {each.requirement.id: each.status for each in outcome.variants["raw_distance"].verdicts}
+    assert statuses["CR-1"] is statuses["CR-2"] is Status.INCONCLUSIVE
+    assert outcome.verdict in {Status.FAIL, Status.INCONCLUSIVE}
+
+
+def test_a_requirement_that_is_no_longer_missed_turns_red():
+    overrides = {"plant.parameters.rolling_resistance": 0}
+    outcome = testbench.run(CRANE / "transfer.toml", overrides)
+    assert outcome.verdict is outcome.base.verdict is Status.FAIL
+    (wrong,) = [each for each in outcome.base.verdicts if each.status is Status.FAIL]
+    assert wrong.requirement.id == "CR-5"
+    assert wrong.reason.endswith("A miss was expected: the expectation no longer holds.")
+
+
+def test_faults_of_all_variants_come_before_anything_runs(monkeypatch):
+    def never(diagram):
+        raise AssertionError(diagram)
+
+    monkeypatch.setattr(testbench, "simulate", never)
+    with pytest.raises(InputFault) as caught:
+        testbench.run(
+            CRANE / "transfer.toml", {"plant.start.psition": "-25 m", "plant.inputs.power": "crane.powr"}
+        )
+    assert [each.code for each in caught.value.diagnostics] == ["SCN309"]
+
+
+def test_a_run_that_blows_up_is_a_fault_in_every_verdict(transfer):
+    prepared = testbench.prepare(transfer.scenario)[0]
+    plant = replace(prepared.diagram.plant, start={"speed": 1e200})
+    run = testbench.run_prepared(replace(prepared, diagram=replace(prepared.diagram, plant=plant)))
+    assert run.trace.fault is not None
+    assert {each.status for each in run.verdicts} == {Status.FAULT}
+    assert run.verdict is Status.FAULT
+    assert all(each.value is None for each in run.verdicts)
+    assert not math.isnan(run.seconds)
+
+
+def test_the_bench_of_a_scenario_is_the_folder_above_scenarios():
+    assert testbench.bench_of(CRANE / "transfer.toml") == shipped_bench()
+    assert testbench.bench_of(Path("scenarios/x.toml")) == Path.cwd()
