@@ -12,7 +12,10 @@ from tests.house.places import ROOT
 SHORT = """\
 title = "The first second"
 duration = "1 s"
-controller = { file = "crane.controller.toml", inputs = { distance = "crane.distance", angle = "crane.angle" } }
+
+[controller]
+file   = "crane.controller.toml"
+inputs = { distance = "crane.distance", angle = "crane.angle" }
 
 [plant]
 model  = "crane"
@@ -42,10 +45,15 @@ def invoke(monkeypatch):
 def start(tmp_path):
     """Run the command line as a process of its own in `tmp_path`, as a user does."""
 
-    def run(*arguments, **options):
+    def run(*arguments, cwd=tmp_path, env=None, stdout=subprocess.PIPE):
         return subprocess.run(
             [sys.executable, "-m", "fcl_sim", *map(str, arguments)],
-            **{"cwd": tmp_path, "capture_output": True, "text": True, "check": False, "env": environment()} | options,
+            cwd=cwd,
+            env=env or environment(),
+            stdout=stdout,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
         )
 
     return run
@@ -62,7 +70,9 @@ def bench(tmp_path, monkeypatch):
     """Stand in a bench with one short scenario, `scenarios/crane/short.toml`."""
     folder = tmp_path / "bench"
     crane = folder / "scenarios" / "crane"
-    shutil.copytree(ROOT / "scenarios" / "crane", crane, ignore=shutil.ignore_patterns("transfer.toml", "printed.*"))
+    shutil.copytree(
+        ROOT / "scenarios" / "crane", crane, ignore=shutil.ignore_patterns("transfer.toml", "printed.*")
+    )
     (crane / "short.toml").write_text(SHORT)
     monkeypatch.chdir(folder)
     return folder

@@ -8,7 +8,11 @@ from fcl_sim.plant.catalog import shipped_bench
 @pytest.fixture
 def bench(tmp_path):
     folder = tmp_path / "bench"
-    for name in ("scenarios/crane/transfer.toml", "scenarios/crane/crane.controller.toml", "scenarios/tank.toml"):
+    for name in (
+        "scenarios/crane/transfer.toml",
+        "scenarios/crane/crane.controller.toml",
+        "scenarios/tank.toml",
+    ):
         file = folder / name
         file.parent.mkdir(parents=True, exist_ok=True)
         file.touch()

@@ -69,7 +69,10 @@ def test_an_output_without_an_active_rule_says_where_its_value_comes_from(invoke
         (["distance=12", "angel=4"], "no input angel; did you mean angle?"),
         (["distance=12", "angle=nan"], "angle is nan"),
         (["distance", "angle=4"], "'distance' is not NAME=NUMBER"),
-        (["distance=1,5", "angle=4"], "'1,5' for 'distance' is not a number: the decimal separator is a point"),
+        (
+            ["distance=1,5", "angle=4"],
+            "'1,5' for 'distance' is not a number: the decimal separator is a point",
+        ),
         (["distance=far", "angle=4"], "'far' for 'distance' is not a number"),
         (["angle=1", "angle=2"], "'angle' is given twice"),
     ],
@@ -95,10 +98,11 @@ def test_figure_c16_as_printed_is_refused_at_the_guilty_word(invoke, tmp_path):
 
 
 def test_a_missing_file_is_one_line_with_the_nearest_name(invoke, three):
-    result = invoke("eval", three.with_name("tree.fcl"), "distance=12")
+    missing = three.with_name("tree.fcl")
+    result = invoke("eval", missing, "distance=12")
     assert result.exit_code == 3
     assert result.stderr == (
-        f"{three.with_name('tree.fcl')}: error[FCL101]: there is no such file\n  hint: did you mean `{three}`?\n"
+        f"{missing}: error[FCL101]: there is no such file\n  hint: did you mean `{three}`?\n"
     )
 
 

@@ -15,7 +15,11 @@ CRANE = ROOT / "scenarios" / "crane"
 
 def test_a_sound_rule_base_has_no_findings(invoke):
     result = invoke("check", CRANE / "crane_printed.fcl")
-    assert (result.exit_code, result.stdout, result.stderr) == (0, f"{CRANE / 'crane_printed.fcl'}: no findings\n", "")
+    assert (result.exit_code, result.stdout, result.stderr) == (
+        0,
+        f"{CRANE / 'crane_printed.fcl'}: no findings\n",
+        "",
+    )
 
 
 def test_every_file_is_checked_and_every_finding_shown(invoke, tmp_path):
@@ -53,7 +57,9 @@ def test_every_stage_can_be_looked_at(invoke, stage, file, words):
 
 def test_what_could_be_read_is_shown_with_what_could_not(invoke, tmp_path):
     file = tmp_path / "half.fcl"
-    file.write_text("FUNCTION_BLOCK half VAR_INPUT x: REAL; END_VAR FUZZIFY x TERM low := (0, 1 (1, 0); END_FUZZIFY")
+    file.write_text(
+        "FUNCTION_BLOCK half VAR_INPUT x: REAL; END_VAR FUZZIFY x TERM low := (0, 1 (1, 0); END_FUZZIFY"
+    )
     result = invoke("show", "tree", file)
     assert result.exit_code == 3
     assert result.stdout.startswith("FUNCTION_BLOCK half\n  VAR_INPUT\n    x: REAL\n")
@@ -133,6 +139,7 @@ def test_a_folder_with_something_in_it_is_left_alone(invoke, tmp_path):
     result = invoke("new", tmp_path)
     assert result.exit_code == 3
     assert result.stderr == (
-        f"{tmp_path}: error[RUN103]: there is something here already\n  hint: name a folder that is new or empty\n"
+        f"{tmp_path}: error[RUN103]: there is something here already\n"
+        "  hint: name a folder that is new or empty\n"
     )
     assert [each.name for each in tmp_path.iterdir()] == ["mine"]

@@ -1,0 +1,125 @@
+import csv
+import json
+
+import numpy as np
+import pytest
+
+from fcl_sim.cli import run
+from tests.house.places import ROOT
+
+
+def lines(text):
+    return [line.rstrip() for line in text.splitlines()]
+
+
+def test_the_bench_of_the_current_folder_is_run_and_its_reports_written(invoke, bench):
+    result = invoke("run")
+    assert (result.exit_code, result.stderr) == (0, "")
+    *table, written, seconds = lines(result.stdout)
+    assert table[0].split() == ["scenario", "variant", "requirement", "asked", "measured", "verdict"]
+    assert table[1].split()[:7] == ["crane/short", "base", "S-1", "at", "most", "9", "deg"]
+    assert table[1].endswith("deg  PASS")
+    assert table[2] == "1 scenario, 1 run, 1 verdict: 1 PASS."
+    assert written == "written: reports/report.pdf"
+    assert seconds.startswith("simulation ")
+    assert (bench / "reports" / "report.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_a_verdict_other_than_pass_is_exit_code_1(invoke, bench):
+    short = bench / "scenarios" / "crane" / "short.toml"
+    short.write_text(short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"'))
+    result = invoke("run", "--no-report")
+    assert result.exit_code == 1
+    assert lines(result.stdout)[1].endswith("deg  FAIL")
+
+
+def test_overrides_reach_the_scenario(invoke, bench):
+    result = invoke("run", "--no-report", "--set", "duration=0.5 s", "--set", "require=[]")
+    assert result.exit_code == 1
+    assert lines(result.stdout)[0] == "1 scenario, 1 run, 0 verdicts: nothing was asked of them."
+
+
+@pytest.mark.parametrize("text", ["duration", "=1 s"])
+def test_an_override_that_sets_nothing_is_wrong_usage(invoke, bench, text):
+    result = invoke("run", "--set", text)
+    assert result.exit_code == 2
+    assert f"Error: Invalid value for '--set': `{text}` sets nothing: write KEY=VALUE" in result.stderr
+
+
+def test_json_is_one_document_on_stdout_and_the_same_as_the_file(invoke, bench):
+    result = invoke("run", "--json")
+    document = json.loads(result.stdout)
+    assert (document["schema"], document["verdict"]) == (1, "PASS")
+    assert result.stdout == (bench / "reports" / "results.json").read_text("utf-8")
+    assert "written: reports/report.pdf" in result.stderr
+
+
+def test_no_report_leaves_no_file(invoke, bench):
+    assert invoke("run", "--no-report").exit_code == 0
+    assert not (bench / "reports").exists()
+
+
+def test_a_trace_has_every_signal_of_the_run(invoke, bench):
+    assert invoke("run", "--no-report", "--trace", "x.csv").exit_code == 0
+    with (bench / "x.csv").open(newline="", encoding="utf-8") as file:
+        header, *rows = csv.reader(file)
+    assert header[:2] == ["time [s]", "crane.distance [m]"]
+    assert (len(rows), float(rows[-1][0])) == (21, 1.0)
+
+
+def test_traces_of_several_runs_carry_their_names(invoke, bench):
+    short = bench / "scenarios" / "crane" / "short.toml"
+    short.write_text(short.read_text() + '\n[variants.light]\n"plant.parameters.load_mass" = "10 t"\n')
+    assert invoke("run", "--no-report", "--trace", "x.npz").exit_code == 0
+    written = sorted(file.name for file in bench.glob("*.npz"))
+    assert written == ["x-crane_short-base.npz", "x-crane_short-light.npz"]
+    with np.load(bench / written[0]) as base, np.load(bench / written[1]) as light:
+        assert not np.array_equal(base["values"], light["values"])
+
+
+def test_one_broken_scenario_hides_neither_the_others_nor_itself(invoke, bench):
+    short = bench / "scenarios" / "crane" / "short.toml"
+    (short.parent / "typo.toml").write_text(short.read_text().replace("plant]\nmodel", "plant]\nmodle"))
+    result = invoke("run")
+    assert result.exit_code == 3
+    assert lines(result.stdout)[1].endswith("PASS")
+    assert "scenarios/crane/typo.toml:" in result.stderr
+    assert "hint: did you mean `model`?" in result.stderr
+    assert not (bench / "reports").exists()
+
+
+def test_the_same_fault_of_two_scenarios_is_said_once(invoke, bench):
+    crane = bench / "scenarios" / "crane"
+    (crane / "again.toml").write_text((crane / "short.toml").read_text())
+    (crane / "crane_completed.fcl").unlink()
+    assert invoke("run").stderr == (
+        "scenarios/crane/crane.controller.toml:19:10: error[SCN101]: "
+        "there is no file `scenarios/crane/crane_completed.fcl`\n"
+        '  19 | file   = "crane_completed.fcl"\n'
+        "     |          ^^^^^^^^^^^^^^^^^^^^^\n"
+        "  hint: did you mean `crane_printed.fcl`?\n"
+    )
+
+
+def test_what_comes_out_of_a_pipe_is_not_squeezed_into_a_terminal(invoke, bench):
+    result = invoke("run", "--no-report", "--set", f"title={'A long title ' * 20}")
+    assert result.exit_code == 0
+    assert len(lines(result.stdout)[1]) < run.PIPE_WIDTH
+
+
+def test_the_shipped_bench_is_run_in_a_folder_without_one_and_reports_stay_there(
+    invoke, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("fcl_sim.cli.run.testbench.run", refuse)
+    result = invoke("run")
+    assert result.exit_code == 3
+    named = [line.partition(":")[0] for line in result.stderr.splitlines()]
+    shipped = (ROOT / "scenarios").rglob("*.toml")
+    assert named == sorted(str(file) for file in shipped if not file.name.endswith(".controller.toml"))
+
+
+def refuse(path, _overrides):
+    from fcl_sim.diagnostics import InputFault
+
+    raise InputFault.at_file("RUN999", str(path), "no time for this")
