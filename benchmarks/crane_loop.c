@@ -102,7 +102,7 @@ static inline int beyond(const double *g, const int *armed)
 }
 static inline void rearm(const double *g, int *armed)
 {
-    for (int i = 0; i < 4; i++) if (g[i] < 0) armed[i] = 1;
+    for (int i = 0; i < 4; i++) if (g[i] <= 0) armed[i] = 1;
 }
 
 static int settle(int event, double *x, const crane *p, int mode, double *g, int *armed)
@@ -128,10 +128,10 @@ static double locate(int *event, double h, const double *x, double u, const cran
         attempt(part * h, x, u, p, mode, k, y);
         events(y, p, mode, g1);
         reached = part;
-        if (g1[*event] > 0) { hi = part; ghi = g1[*event]; if (side == 1) glo *= 0.5; side = 1; }
-        else { lo = part; glo = g1[*event]; if (side == -1) ghi *= 0.5; side = -1; if (g1[*event] == 0) hi = part; }
-        int other = beyond(g1, armed);
-        if (other >= 0 && other != *event) { *event = other; lo = 0; hi = part; side = 0; glo = g0[other]; ghi = g1[other]; }
+        int earlier = beyond(g1, armed);
+        if (earlier >= 0 && earlier != *event) { *event = earlier; lo = 0; hi = part; side = 0; glo = g0[earlier]; ghi = g1[earlier]; }
+        else if (earlier == *event) { hi = part; ghi = g1[*event]; if (side == 1) glo *= 0.5; side = 1; }
+        else { lo = part; glo = g1[*event]; if (side == -1) ghi *= 0.5; side = -1; }
     }
     if (reached != hi) { attempt(hi * h, x, u, p, mode, k, y); events(y, p, mode, g1); }
     return hi;

@@ -19,9 +19,12 @@ from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
-from numba.core import caching, types
+from numba.core import caching, errors, types
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+
+CompileError = errors.NumbaError
+"""What compiling raises of code outside numba's subset."""
 
 KERNEL_ROOMS = ("arithmetic", "engine", "concept", "plant", "loop")
 """What a compiled kernel can come from, relative to the package; the digest covers all of it."""

@@ -100,6 +100,7 @@ CODES: dict[str, str] = {
     "PLT205": "a plant function leaves a result unset",
     "PLT206": "a transition gives no mode",
     "PLT301": "a plant's own code fails",
+    "PLT302": "a plant's code cannot be compiled",
     "RUN101": "the system refused to read or write",
     "RUN102": "the shipped bench is never written to",
     "RUN103": "the folder holds something already",

@@ -97,7 +97,7 @@ def load(path: Path) -> PlantModel:
         declaration=plant,
         path=path,
         digest=digest,
-        functions=PlantFunctions(**entries),
+        functions=PlantFunctions(**entries, path=path),
         samples="sample" in given,
     )
 

@@ -2,12 +2,14 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fcl_sim.jit import Entry, F, f8, function_type, i8, signature, void
+from fcl_sim.diagnostics import InputFault
+from fcl_sim.jit import CompileError, Entry, F, f8, function_type, i8, signature, void
 
 Array = NDArray[np.float64]
 
@@ -67,10 +69,23 @@ class PlantFunctions:
     events: Entry
     transition: Entry
     sample: Entry
+    path: Path
 
-    def ready(self) -> tuple[Callable[..., Any], ...]:
-        """Return the five compiled, as first-class functions for a kernel."""
-        return tuple(getattr(self, part).compile() for part in PARTS)
+    def ready(self) -> tuple[PlantFunction, ...]:
+        """Return the five compiled, as first-class functions for a kernel.
+
+        InputFault for code that cannot be compiled.
+        """
+        return tuple(self._compiled(part) for part in PARTS)
+
+    def _compiled(self, part: str) -> PlantFunction:
+        try:
+            return getattr(self, part).compile()  # type: ignore[no-any-return]  PARTS names the entries above
+        except CompileError as error:
+            reason = str(error).strip().splitlines()
+            message = f"`{part}` cannot be compiled: " + next((each for each in reason if each.strip()), "")
+            hint = "a plant is written in numba's subset of Python: numbers, arrays, math, loops and branches"
+            raise InputFault.at_file("PLT302", str(self.path), message, hint) from error
 
 
 def as_entry(part: str, function: Callable[..., Any], salt: str) -> Entry:

@@ -110,7 +110,7 @@ def test_modes_are_looked_at_again_when_outputs_are_written(tmp_path):
 
 
 def test_every_block_runs_exactly_once_per_scan(tmp_path):
-    # A differentiator of the time itself is 1 from its second call on, whatever the scan, only if called once.
+    # The difference of a count of scans is 1 per scan from the second call on only if it is called once.
     nodes = (
         Node(
             name="rate",

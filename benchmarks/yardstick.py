@@ -1,0 +1,38 @@
+"""Compile the C yardsticks, and take turns with them."""
+
+import ctypes
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+
+
+def compiled(source: str) -> ctypes.CDLL:
+    """Return a C file of this folder as a library, built with `gcc -O3`; exit where there is no gcc."""
+    gcc = shutil.which("gcc")
+    if gcc is None:
+        sys.exit("the benchmarks compare with C and need gcc")
+    with tempfile.TemporaryDirectory() as folder:
+        library = Path(folder) / "yardstick.so"
+        path = Path(__file__).parent / source
+        command = [gcc, "-O3", "-shared", "-fPIC", "-o", str(library), str(path), "-lm"]
+        subprocess.run(command, check=True)
+        return ctypes.CDLL(str(library))
+
+
+def in_turns(
+    ours: Callable[[], object], theirs: Callable[[], object], rounds: int = 41
+) -> tuple[float, float]:
+    """Return the median seconds of each of two functions, called in turns after a warm-up."""
+    times: tuple[list[float], list[float]] = ([], [])
+    for round_number in range(rounds + 3):
+        for function, kept in zip((ours, theirs), times, strict=True):
+            begin = time.perf_counter()
+            function()
+            if round_number >= 3:
+                kept.append(time.perf_counter() - begin)
+    return median(times[0]), median(times[1])
