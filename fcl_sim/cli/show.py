@@ -6,7 +6,6 @@ import click
 
 from fcl_sim.block import load_all
 from fcl_sim.cli.doors import Exit, say
-from fcl_sim.cli.listing import listing
 from fcl_sim.diagnostics import Diagnostic
 from fcl_sim.diagnostics.render import render_all
 from fcl_sim.diagnostics.spelling import listed
@@ -19,6 +18,7 @@ from fcl_sim.loop.wiring import wire
 from fcl_sim.scenario.binder import bind
 from fcl_sim.scenario.model import BASE
 from fcl_sim.scenario.reader import read
+from fcl_sim.scenario.show import show_scenario
 
 OF_RULE_BASE = ("tokens", "tree", "model", "program")
 OF_SCENARIO = ("scenario", "wiring", "tape")
@@ -59,6 +59,6 @@ def _shown(stage: str, file: Path, variant: str) -> tuple[str, tuple[Diagnostic,
         case "program":
             return "\n".join(program_text(each.program) for each in load_all(file).values()), ()
         case "scenario":
-            return "\n".join(listing(read(file))), ()
+            return show_scenario(read(file)), ()
     wiring = wire(bind(read(file), variant))
     return (wiring_text(wiring) if stage == "wiring" else tape_text(lower(wiring))), ()

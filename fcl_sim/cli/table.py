@@ -9,42 +9,57 @@ from rich.text import Text
 from fcl_sim.judge.verdict import Status
 from fcl_sim.report.summary import Row
 
-NARROW = 72
-"""Below this width a verdict is a few lines, not a row."""
+HEADINGS = ("scenario", "variant", "requirement", "asked", "measured", "verdict")
+MEASURED = HEADINGS.index("measured")
+GAP = 2
 
 COLOURS = {Status.PASS: "green", Status.FAIL: "red", Status.FAULT: "red"}
 OTHER_COLOUR = "yellow"
 
 
 def print_verdicts(rows: Sequence[Row], console: Console) -> None:
-    """Print every verdict: scenario, variant, requirement, what is asked, what was measured, verdict."""
-    if console.width < NARROW:
-        for line in _lines(rows):
-            console.print(line)
+    """Print every verdict: scenario, variant, requirement, what is asked, what was measured, verdict.
+
+    A row each where the terminal is wide enough for all of them, else a few lines each.
+    """
+    cells = [_cells(row, *heading) for row, heading in zip(rows, _headings(rows), strict=True)]
+    if _width(cells) > console.width:
+        for row, heading in zip(rows, _headings(rows), strict=True):
+            console.print(Text("\n").join(_lines(row, *heading)))
     elif rows:
-        console.print(_table(rows))
+        console.print(_table(cells))
 
 
-def _table(rows: Sequence[Row]) -> Table:
-    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
-    for heading in ("scenario", "variant", "requirement", "asked"):
-        table.add_column(heading, overflow="fold")
-    table.add_column("measured", justify="right", overflow="fold")
-    table.add_column("verdict", overflow="fold")
-    for row, (scenario, variant) in zip(rows, _headings(rows), strict=True):
-        cells = (scenario, variant, row.id, row.bound, row.value)
-        table.add_row(*(Text(cell) for cell in cells), _verdict(row))
+def _cells(row: Row, scenario: str, variant: str) -> list[Text]:
+    return [*(Text(cell) for cell in (scenario, variant, row.id, row.bound, row.value)), _verdict(row)]
+
+
+def _width(cells: Sequence[Sequence[Text]]) -> int:
+    """Return how many columns the table takes."""
+    columns = zip(*cells, strict=True)
+    widest: list[int] = [
+        max(len(heading), *(cell.cell_len for cell in column))
+        for heading, column in zip(HEADINGS, columns, strict=False)
+    ]
+    return sum(widest) + GAP * len(HEADINGS)
+
+
+def _table(cells: Sequence[Sequence[Text]]) -> Table:
+    table = Table(box=None, pad_edge=False, padding=(0, GAP, 0, 0), header_style="bold")
+    for index, heading in enumerate(HEADINGS):
+        table.add_column(heading, justify="right" if index == MEASURED else "left", no_wrap=True)
+    for row in cells:
+        table.add_row(*row)
     return table
 
 
-def _lines(rows: Sequence[Row]) -> Iterator[Text]:
-    for row, (scenario, variant) in zip(rows, _headings(rows), strict=True):
-        if scenario:
-            yield Text(scenario, style="bold")
-        if variant:
-            yield Text(f"  {variant}")
-        yield Text(f"    {row.id}: ").append_text(_verdict(row))
-        yield Text(f"      {row.value}, {row.bound}")
+def _lines(row: Row, scenario: str, variant: str) -> Iterator[Text]:
+    if scenario:
+        yield Text(scenario, style="bold")
+    if variant:
+        yield Text(f"  {variant}")
+    yield Text(f"    {row.id}: ").append_text(_verdict(row))
+    yield Text(f"      {row.value}, {row.bound}")
 
 
 def _headings(rows: Sequence[Row]) -> Iterator[tuple[str, str]]:
@@ -57,5 +72,5 @@ def _headings(rows: Sequence[Row]) -> Iterator[tuple[str, str]]:
 
 
 def _verdict(row: Row) -> Text:
-    word = Text(str(row.status), style=COLOURS.get(row.status, OTHER_COLOUR))
-    return word.append(f" ({row.note})", style="default") if row.note else word
+    word = Text.assemble((str(row.status), COLOURS.get(row.status, OTHER_COLOUR)))
+    return word.append(f" ({row.note})") if row.note else word
