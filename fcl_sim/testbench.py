@@ -2,11 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from time import perf_counter
 from types import MappingProxyType
 from typing import Any
 
+from fcl_sim.block import load
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.judge.judge import judge
 from fcl_sim.judge.verdict import Requirement, Status, Verdict, worst
@@ -15,7 +17,7 @@ from fcl_sim.loop.run import run as simulate
 from fcl_sim.loop.trace import Trace
 from fcl_sim.loop.wiring import wire
 from fcl_sim.scenario.bench import bench_of
-from fcl_sim.scenario.binder import bind, check_inputs, requirements
+from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 
@@ -94,9 +96,10 @@ def run_scenario(scenario: Scenario) -> Outcome:
 def prepare(scenario: Scenario) -> tuple[Prepared, ...]:
     """Return every variant, bound and wired; InputFault with the faults of all, each once."""
     prepared, faults = [], dict[Diagnostic, None]()
+    load_once = cache(load)
     for variant in scenario.variants:
         try:
-            prepared.append(_prepare(scenario, variant))
+            prepared.append(_prepare(scenario, variant, load_once))
         except InputFault as fault:
             faults.update(dict.fromkeys(fault.diagnostics))
     if faults:
@@ -104,8 +107,8 @@ def prepare(scenario: Scenario) -> tuple[Prepared, ...]:
     return tuple(prepared)
 
 
-def _prepare(scenario: Scenario, variant: str) -> Prepared:
-    diagram = bind(scenario, variant)
+def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepared:
+    diagram = bind(scenario, variant, load_block)
     units = {name: unit.symbol for name, unit in wire(diagram).units.items()}
     check_inputs(scenario, variant, units)
     return Prepared(

@@ -1,10 +1,11 @@
 """Scenario → Diagram: names become paths, texts become numbers, files become plants and blocks."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from pathlib import Path
 
-from fcl_sim.block import load
+from fcl_sim.block import Block, load
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.verdict import Requirement
@@ -20,13 +21,15 @@ from fcl_sim.scenario.tree import NOTHING, Entry, finding
 from fcl_sim.units import parse_quantity, parse_unit
 
 Faults = list[Diagnostic]
+LoadBlock = Callable[[Path, str | None], Block]
 Scope = Mapping[str, str]
 """Names that a controller file may use, each with its path; a fuzzy block stands for all its outputs."""
 
 
-def bind(scenario: Scenario, variant: str = BASE) -> Diagram:
+def bind(scenario: Scenario, variant: str = BASE, load_block: LoadBlock = load) -> Diagram:
     """Return the closed loop of a variant, with its plant and rule bases loaded.
 
+    `load_block` may remember the rule bases that several variants share.
     InputFault carries every unknown name, misfitting unit and faulty rule base.
     """
     setup = setup_called(scenario, variant)
@@ -34,7 +37,7 @@ def bind(scenario: Scenario, variant: str = BASE) -> Diagram:
     plant = _plant(scenario, setup.plant, faults)
     nodes = []
     for name, block in setup.blocks.items():
-        node = _node(setup, name, block, faults)
+        node = _node(setup, name, block, load_block, faults)
         if node is not None:
             nodes.append(node)
     aliases = _aliases(setup, faults)
@@ -138,10 +141,18 @@ def _out_of_range(
                 yield finding("SCN310", f"`{name}` cannot be {entry.value}", entry, hint)
 
 
-def _node(setup: Setup, name: str, block: Entry, faults: Faults) -> Node | FuzzyNode | None:
+def _node(
+    setup: Setup, name: str, block: Entry, load_block: LoadBlock, faults: Faults
+) -> Node | FuzzyNode | None:
     scope = local_names(setup) if name.startswith(f"{CONTROLLER}.") else None
     if is_fuzzy(block):
-        return _fuzzy_node(setup, name, block, scope, faults)
+        called = block.get("block")
+        try:
+            loaded = load_block(setup.rule_bases[name], str(called.value) if called else None)
+        except InputFault as fault:
+            faults += fault.diagnostics
+            return None
+        return _fuzzy_node(name, block, loaded, scope, faults)
     kind = BLOCKS[str(block.table["type"].value)]
     terms = block.get(kind.terms) if kind.terms else None
     entries = terms.table if terms else NOTHING
@@ -157,17 +168,9 @@ def _node(setup: Setup, name: str, block: Entry, faults: Faults) -> Node | Fuzzy
     return Node(name=name, type=kind.name, inputs=wires, parameters=parameters, span=block.key)
 
 
-def _fuzzy_node(
-    setup: Setup, name: str, block: Entry, scope: Scope | None, faults: Faults
-) -> FuzzyNode | None:
-    called = block.get("block")
+def _fuzzy_node(name: str, block: Entry, loaded: Block, scope: Scope | None, faults: Faults) -> FuzzyNode:
     wires = {port: _wired(entry, scope, faults) for port, entry in block.table["inputs"].table.items()}
     units = block.get("units")
-    try:
-        loaded = load(setup.rule_bases[name], str(called.value) if called else None)
-    except InputFault as fault:
-        faults += fault.diagnostics
-        return None
     declared = {key: str(entry.value) for key, entry in (units.table if units else NOTHING).items()}
     return FuzzyNode(name=name, block=loaded, inputs=wires, units=declared, span=block.key)
 

@@ -1,6 +1,18 @@
 """What has not the shape of a scenario, or is no TOML at all, is named where it stands."""
 
+import re
+from pathlib import Path
+
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from fcl_sim.diagnostics import InputFault
+from fcl_sim.plant.catalog import shipped_bench
+from fcl_sim.scenario.reader import read
+from fcl_sim.testbench import prepare
+
+FOLDER = Path("scenarios/crane")
 
 MISSHAPEN = [
     (
@@ -60,3 +72,38 @@ NO_TOML = [
 @pytest.mark.parametrize(("text", "message"), NO_TOML, ids=range(len(NO_TOML)))
 def test_what_is_no_toml_is_told_with_its_line(written, text, message):
     assert message in written(text)
+
+
+PIECES = [
+    *["{", "}", "[", "]", "[[", "=", '"', "'", '"""', "#", "\n", ".", ",", "3", "-1", "nan", "inf", "true"],
+    *['"20 t"', '"x"', '""', '"-"', '"a.b.c"', "{ a = 1 }", "[1, 2]", "{}", "[]", "1979-05-27", '"1e300 t"'],
+    *[
+        '"99999999999 h"',
+        '"1 ns"',
+        '"controller.power"',
+        "base",
+        "type",
+        "plant",
+        '"fail"',
+        "\0",
+        "\u00e9",
+        "\r\n",
+    ],
+]
+
+
+@given(st.sampled_from(["transfer.toml", "crane.controller.toml"]), st.data())
+@settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_no_text_makes_the_reader_stumble(bench, name, data):
+    file = FOLDER / name
+    text = (shipped_bench() / file).read_text("utf-8")
+    words = [each.span() for each in re.finditer(r'"[^"\n]*"|\w+|[^\w\s]|\n', text)]
+    start, end = data.draw(st.sampled_from(words))
+    file.write_text(text[:start] + data.draw(st.sampled_from(["", *PIECES])) + text[end:], "utf-8")
+    told = ""
+    try:
+        prepare(read(FOLDER / "transfer.toml"))
+    except InputFault as fault:
+        told = str(fault)
+    file.write_text(text, "utf-8")
+    assert told == "" or "error[" in told
