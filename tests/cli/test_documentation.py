@@ -1,0 +1,31 @@
+import re
+
+from fcl_sim.cli.doors import Exit
+from fcl_sim.cli.program import COMMANDS, program
+from tests.house.places import ROOT
+
+PAGE = (ROOT / "docs" / "command-line.md").read_text("utf-8")
+
+
+def test_the_page_names_every_command_and_no_other():
+    assert re.findall(r"^\| `fcl-sim (\w+)", PAGE, re.MULTILINE) == list(COMMANDS)
+
+
+def test_the_page_names_every_exit_code_and_no_other():
+    assert re.findall(r"^\| (\d+) \|", PAGE, re.MULTILINE) == [str(int(code)) for code in Exit]
+
+
+def test_the_short_help_of_a_command_begins_its_long_help():
+    for name, short in COMMANDS.items():
+        command = program.get_command(None, name)
+        assert command.help.partition("\n")[0] == short
+
+
+def test_every_option_that_the_page_shows_is_there():
+    options = {
+        option
+        for name in COMMANDS
+        for parameter in program.get_command(None, name).params
+        for option in parameter.opts
+    }
+    assert set(re.findall(r"`(--[\w-]+)", PAGE)) - {"--help"} <= options
