@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from fcl_sim.model import FunctionBlock, Points, Singleton, Term
 from fcl_sim.report import style
+from fcl_sim.report.frame import Tick, draw_frame, ticks
 from fcl_sim.report.terms import REACH, extent, initials, settled
 from fcl_sim.report.words import bracketed, number, one_line
 
@@ -20,6 +21,7 @@ BAR = 2.9
 TICKS = 5.0
 GAP = 2.0
 TINY = 5.6
+DEGREES = (Tick(0.0, "0"), Tick(0.5, "0.5"), Tick(1.0, "1"))
 MARGIN = 0.06
 """Room beyond the outermost points, where the degree stays constant, as a share of their span."""
 
@@ -149,8 +151,7 @@ def _draw_terms(axes: Axes, panel: Panel, lanes: Mapping[int, int]) -> None:
     low, high = _span(panel)
     axes.set_xlim(low, high)
     axes.set_ylim(0.0, 1.04)
-    style.tidy(axes, across=11)
-    axes.set_yticks([0.0, 0.5, 1.0], ["0", "0.5", "1"])
+    draw_frame(axes, ticks(low, high, 11), DEGREES, ("", "degree [1]"))
     for index, term in enumerate(panel.terms):
         colour, dashes = style.stroke(index)
         if isinstance(term.shape, Singleton):
@@ -241,4 +242,3 @@ def _heading(axes: Axes, panel: Panel, names: float) -> None:
     axes.text(0.0, y, text, transform=axes.transAxes)
     x = (style.text_width(text) + 3.0) / ACROSS
     axes.text(x, y, panel.role, transform=axes.transAxes, color=style.FAINT, fontsize=style.SMALL)
-    axes.set_ylabel("degree [1]", fontsize=style.SMALL)

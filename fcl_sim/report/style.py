@@ -3,6 +3,7 @@
 import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -12,9 +13,6 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.textpath import text_to_path
-from matplotlib.ticker import FuncFormatter, MaxNLocator
-
-from fcl_sim.report.words import number
 
 FONT = "DejaVu Sans"
 
@@ -23,7 +21,7 @@ WIDTH = 166.0
 
 INK = "#1b1f24"
 FAINT = "#5c6670"
-RULE = "#c9ced4"
+GRID = "#e6e8eb"
 PAPER = "#ffffff"
 BAND = "#e3edf5"
 BOUND = "#3f5f7f"
@@ -50,36 +48,10 @@ RC: Mapping[Any, object] = MappingProxyType(
         "font.size": NORMAL,
         "text.parse_math": False,
         "text.color": INK,
-        "axes.edgecolor": FAINT,
-        "axes.labelcolor": INK,
-        "axes.linewidth": 0.5,
-        "axes.spines.top": False,
-        "axes.spines.right": False,
-        "axes.unicode_minus": True,
-        "axes.xmargin": 0.0,
-        "axes.labelsize": NORMAL,
-        "axes.labelpad": 2.0,
-        "axes.titlesize": NORMAL,
-        "xtick.labelsize": SMALL,
-        "ytick.labelsize": SMALL,
-        "xtick.color": FAINT,
-        "ytick.color": FAINT,
-        "xtick.labelcolor": INK,
-        "ytick.labelcolor": INK,
-        "xtick.major.size": 2.2,
-        "ytick.major.size": 2.2,
-        "xtick.major.width": 0.5,
-        "ytick.major.width": 0.5,
-        "xtick.major.pad": 2.0,
-        "ytick.major.pad": 2.0,
-        "grid.color": "#e6e8eb",
-        "grid.linewidth": 0.4,
         "hatch.linewidth": 0.45,
         "lines.linewidth": 1.0,
         "lines.solid_capstyle": "round",
         "lines.solid_joinstyle": "round",
-        "legend.frameon": False,
-        "legend.fontsize": NORMAL,
         "svg.fonttype": "none",
         "svg.hashsalt": "fcl_sim",
         "path.simplify": True,
@@ -102,22 +74,18 @@ def blank(height: float, width: float = WIDTH) -> Figure:
     return Figure(figsize=(width / 25.4, height / 25.4), facecolor=PAPER)
 
 
-def place(
-    figure: Figure, left: float, top: float, width: float, height: float, share: Axes | None = None
-) -> Axes:
-    """Add axes to a figure, all in mm from its upper left corner, with the time axis of `share`."""
-    across, down = (size * 25.4 for size in figure.get_size_inches())
-    box = (left / across, 1.0 - (top + height) / down, width / across, height / down)
-    return figure.add_axes(box, sharex=share)
+def place(figure: Figure, left: float, top: float, width: float, height: float) -> Axes:
+    """Add axes to a figure, all in mm from its upper left corner."""
+    across, down = (each * 25.4 for each in figure.get_size_inches())
+    return figure.add_axes((left / across, 1.0 - (top + height) / down, width / across, height / down))
 
 
-def tidy(axes: Axes, across: int = 9, up: int = 4) -> None:
-    """Give axes few round ticks with short labels, and a faint grid."""
-    for axis, most in ((axes.xaxis, across), (axes.yaxis, up)):
-        axis.set_major_locator(MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]))
-        axis.set_major_formatter(FuncFormatter(lambda value, _: number(value, 6)))
-    axes.grid(visible=True, zorder=0)
-    axes.set_axisbelow(True)
+def size(axes: Axes) -> tuple[float, float]:
+    """Return width and height of axes in mm."""
+    box = axes.get_position()
+    across, down = axes.figure.bbox.width, axes.figure.bbox.height
+    inch = axes.figure.dpi / 25.4
+    return box.width * across / inch, box.height * down / inch
 
 
 def stroke(index: int) -> tuple[str, Dash]:
@@ -137,6 +105,7 @@ def hatch_span(axes: Axes, start: float, end: float, top: float = 1.0) -> None:
     )
 
 
+@lru_cache(maxsize=4096)
 def text_width(text: str, size: float = NORMAL) -> float:
     """Return the width of one line of text in mm."""
     width, _, _ = text_to_path.get_text_width_height_descent(

@@ -5,27 +5,25 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import FuncFormatter, MaxNLocator
 from numpy.typing import NDArray
 
 from fcl_sim.loop.trace import Values
 from fcl_sim.report import style
+from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.sampling import Curve, Surface, Track
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.words import bracketed, number
+from fcl_sim.report.words import bracketed
 
 TOP, HEIGHT = 5.0, 58.0
 BAR, BESIDE = 3.0, 3.0
-TICKS_LEFT, TICKS_BELOW, TICKS_BAR = 12.0, 6.0, 9.0
-LINE = 3.4
-"""Height of a line of a label in mm; what long names need is taken from the maps."""
+EDGE = 4.0
+"""Room to the right of a map in mm, for half a label."""
 
 HALO = [withStroke(linewidth=2.6, foreground=style.PAPER)]
 
@@ -37,83 +35,81 @@ def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Fig
     open circle to a filled square.
     """
     with style.styled():
-        first, scale = surfaces[0], _scale(surfaces)
+        first, (least, most) = surfaces[0], _range(surfaces)
         up = style.wrapped(bracketed(first.up.name, first.up.unit), HEIGHT)
         beside = style.wrapped(bracketed(first.name, first.unit), HEIGHT)
-        left = TICKS_LEFT + LINE * _lines(up)
-        bar = BESIDE + BAR + TICKS_BAR + LINE * _lines(beside)
-        width = (style.WIDTH - bar) / len(surfaces) - left
+        marks = [ticks(each.y[0], each.y[-1], 6) for each in surfaces]
+        levels, scale = ticks(least, most, 9), Normalize(least, most)
+        left = max(room_left(each, up) for each in marks)
+        bar = BESIDE + BAR + room_left(levels, beside)
+        width = (style.WIDTH - bar) / len(surfaces) - left - EDGE
         across = style.wrapped(bracketed(first.across.name, first.across.unit), width)
-        figure = style.blank(TOP + HEIGHT + TICKS_BELOW + LINE * _lines(across))
+        figure = style.blank(TOP + HEIGHT + room_below(across))
         for index, surface in enumerate(surfaces):
-            axes = style.place(figure, left + index * (left + width), TOP, width, HEIGHT)
-            _draw_map(axes, surface, scale)
+            axes = style.place(figure, left + index * (left + width + EDGE), TOP, width, HEIGHT)
+            _draw_map(axes, surface, scale, [each.at for each in levels])
             _draw_undefined(axes, surface)
             if track is not None:
                 _draw_track(axes, track)
-            style.tidy(axes, across=int(width / 9.0), up=6)
-            axes.grid(visible=False)
-            axes.set(xlabel=across, ylabel=up)
-            axes.set_title(surface.title, loc="left", pad=3.0, fontsize=style.SMALL, color=style.FAINT)
-        _draw_bar(style.place(figure, style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT), scale, beside)
+            below = ticks(surface.x[0], surface.x[-1], int(width / 9.0))
+            draw_frame(axes, below, marks[index], (across, up), grid=False)
+            quiet: dict[str, Any] = {"fontsize": style.SMALL, "color": style.FAINT}
+            axes.text(0.0, 1.0 + 1.2 / HEIGHT, surface.title, transform=axes.transAxes, **quiet)
+        axes = style.place(figure, style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT)
+        edges = np.linspace(least, most, 257)
+        middles = (edges[:-1] + edges[1:]) / 2.0
+        axes.pcolormesh([0, 1], edges, middles[:, None], cmap=style.heat(), norm=scale, rasterized=True)
+        draw_scale(axes, levels, beside)
     return figure
-
-
-def _lines(label: str) -> int:
-    return label.count("\n") + 1
-
-
-def _draw_bar(axes: Axes, scale: Normalize, label: str) -> None:
-    shown = ScalarMappable(scale, style.heat())
-    number_format = FuncFormatter(lambda value, _: number(value, 6))
-    axes.figure.colorbar(shown, cax=axes, ticks=_levels(scale), format=number_format)
-    axes.set_ylabel(label)
-    axes.tick_params(length=2.0, width=0.5)
 
 
 def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
     """Return the output over the one input, hatched where no rule is active, with the visited stretch."""
     with style.styled():
-        up = style.wrapped(bracketed(curve.name, curve.unit), HEIGHT)
-        margin = TICKS_LEFT + LINE * _lines(up)
-        width = style.WIDTH - margin - 4.0
-        across = style.wrapped(bracketed(curve.across.name, curve.across.unit), width)
-        figure = style.blank(TOP + HEIGHT + TICKS_BELOW + LINE * _lines(across))
-        axes = style.place(figure, margin, TOP, width, HEIGHT)
         values = np.where(curve.undefined, np.nan, curve.values)
+        low, high = _limits(values, track)
+        name = style.wrapped(bracketed(curve.name, curve.unit), HEIGHT)
+        marks = ticks(low, high, 7)
+        margin = room_left(marks, name)
+        width = style.WIDTH - margin - EDGE
+        across = style.wrapped(bracketed(curve.across.name, curve.across.unit), width)
+        figure = style.blank(TOP + HEIGHT + room_below(across))
+        axes = style.place(figure, margin, TOP, width, HEIGHT)
+        axes.set(xlim=(curve.x[0], curve.x[-1]), ylim=(low, high))
         axes.plot(curve.x, values, color=style.COLOURS[0], linewidth=1.3, zorder=4)
         for start, end in stretches(curve.undefined):
-            style.hatch_span(
-                axes, float(curve.x[max(start - 1, 0)]), float(curve.x[min(end, len(curve.x) - 1)])
-            )
-        axes.set_xlim(curve.x[0], curve.x[-1])
-        style.tidy(axes, across=14, up=7)
+            left, right = curve.x[[max(start - 1, 0), min(end, len(curve.x) - 1)]]
+            style.hatch_span(axes, float(left), float(right))
         if track is not None:
             _draw_track(axes, track)
-        axes.set(xlabel=across, ylabel=up)
+        draw_frame(axes, ticks(curve.x[0], curve.x[-1], 14), marks, (across, name))
     return figure
 
 
-def _scale(surfaces: Sequence[Surface]) -> Normalize:
+def _limits(values: Values, track: Track | None) -> tuple[float, float]:
+    """Return the range of what is drawn, with some room."""
+    shown = values if track is None else np.concatenate([values, track.y])
+    finite = shown[np.isfinite(shown)]
+    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
+    margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0
+    return low - margin, high + margin
+
+
+def _range(surfaces: Sequence[Surface]) -> tuple[float, float]:
     defined = np.concatenate([each.values[~each.undefined & np.isfinite(each.values)] for each in surfaces])
     low, high = (float(defined.min()), float(defined.max())) if len(defined) else (0.0, 1.0)
-    return Normalize(low, high if high > low else low + 1.0)
+    return low, high if high > low else low + 1.0
 
 
-def _levels(scale: Normalize) -> Values:
-    levels = MaxNLocator(9).tick_values(scale.vmin or 0.0, scale.vmax or 0.0)
-    return np.asarray([each for each in levels if scale(each) >= 0.0 and scale(each) <= 1.0])
-
-
-def _draw_map(axes: Axes, surface: Surface, scale: Normalize) -> None:
+def _draw_map(axes: Axes, surface: Surface, scale: Normalize, levels: Sequence[float]) -> None:
     shown = np.ma.masked_where(surface.undefined | ~np.isfinite(surface.values), surface.values)
     axes.pcolormesh(surface.x, surface.y, shown, cmap=style.heat(), norm=scale, rasterized=True, zorder=1)
     middles = [(edges[:-1] + edges[1:]) / 2.0 for edges in (surface.x, surface.y)]
-    if shown.count() and float(np.ptp(shown.compressed())) > 0.0:
+    if levels and shown.count() and float(np.ptp(shown.compressed())) > 0.0:
         axes.contour(
             *middles,
             shown,
-            levels=_levels(scale),
+            levels=levels,
             colors=style.INK,
             linewidths=0.35,
             linestyles="solid",

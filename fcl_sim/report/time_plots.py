@@ -13,6 +13,7 @@ from fcl_sim.judge.verdict import Band, Verdict
 from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import style
 from fcl_sim.report.bands import draw_bands, draw_violations, focus_on, worth_showing
+from fcl_sim.report.frame import draw_frame, room_below, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
@@ -22,7 +23,6 @@ ACROSS = style.WIDTH - LEFT - RIGHT
 HEADING = 4.4
 GAP = 2.6
 AFTER = 3.0
-FOOT = 9.0
 TALL, LOW = 22.0, 13.0
 """Heights in mm of an axis with a requirement and of one without."""
 
@@ -110,20 +110,25 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
         top = legend_height(labels)
         above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
         total = sum(above) + sum(lane.height for lane in shown) + (len(shown) - 1) * GAP
-        figure = style.blank(top + total + FOOT)
+        figure = style.blank(top + total + room_below("time [s]"))
         draw_legend(figure, labels)
-        last: Axes | None = None
+        end = max(run.duration for run in runs)
         for lane, texts, heading in zip(shown, headings, above, strict=True):
             top += heading
-            axes = style.place(figure, LEFT, top, ACROSS, lane.height, last)
+            axes = style.place(figure, LEFT, top, ACROSS, lane.height)
+            axes.set_xlim(0.0, end)
             _draw_lane(axes, lane, runs)
+            bottom = lane is shown[-1]
+            below = "time [s]" if bottom else ""
+            draw_frame(
+                axes,
+                ticks(0.0, end, 9),
+                ticks(*axes.get_ylim(), 4 if lane.judged else 3),
+                (below, ""),
+                labels=bottom,
+            )
             _heading(axes, texts, lane, runs)
-            axes.tick_params(labelbottom=lane is shown[-1])
-            last = axes
             top += lane.height + GAP
-        if last is not None:
-            last.set_xlabel("time [s]")
-            last.set_xlim(0.0, max(run.duration for run in runs))
     return figure
 
 
@@ -131,7 +136,6 @@ def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     bands = _bands(lane, runs)
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
     axes.set_ylim(lane.focus or _limits([run.trace[lane.signal] for _, run in present], bands))
-    style.tidy(axes, up=4 if lane.judged else 3)
     draw_bands(axes, bands, lane.height)
     for index, run in reversed(present):
         _draw_run(axes, lane, run, index, alone=len(runs) == 1)

@@ -18,28 +18,10 @@ def texts(figure: Figure) -> list[tuple[str, Bbox]]:
     with styled():
         canvas = FigureCanvasAgg(figure)
         canvas.draw()
-        shown = []
-        for artist in figure.findobj(Text):
-            if artist.get_visible() and artist.get_text().strip():
-                box = artist.get_window_extent(canvas.get_renderer())
-                if box.width > 0 and _drawn(artist, figure):
-                    shown.append((artist.get_text(), box))
-    return shown
-
-
-def _drawn(artist: Text, figure: Figure) -> bool:
-    """Return whether matplotlib draws a text: ticks outside of an axis, and hidden labels, are not."""
-    for axes in figure.axes:
-        for axis in (axes.xaxis, axes.yaxis):
-            ticks = axis.get_major_ticks() + axis.get_minor_ticks()
-            if any(artist in (tick.label1, tick.label2) for tick in ticks):
-                drawn = axis._update_ticks()
-                return any(
-                    (artist is tick.label1 and tick.label1.get_visible())
-                    or (artist is tick.label2 and tick.label2.get_visible())
-                    for tick in drawn
-                )
-    return True
+        axis = [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
+        unused = {text for each in axis for text in each.findobj(Text)}
+        artists = [each for each in figure.findobj(Text) if each.get_text().strip() and each not in unused]
+        return [(each.get_text(), each.get_window_extent(canvas.get_renderer())) for each in artists]
 
 
 def cut(figure: Figure) -> list[str]:
