@@ -18,7 +18,7 @@ class Instance:
     an output keeps its previous value while no rule is active.
     """
 
-    __slots__ = ("_block", "_memory", "_places", "_program", "_run", "_words")
+    __slots__ = ("_block", "_buffers", "_memory", "_places", "_program", "_results", "_run", "_words")
 
     def __init__(self, block: FunctionBlock, program: Program) -> None:
         self._block = block
@@ -26,27 +26,36 @@ class Instance:
         self._memory = program.initial.copy()
         self._words = cast("memoryview[float]", self._memory.data)  # read and written faster than an array
         self._places = {name: place for place, name in enumerate(program.input_names)}
+        self._results = {name: place for place, name in enumerate(program.output_names, program.outputs_at)}
+        self._buffers = (program.ints, program.floats, self._memory)
         self._run = evaluate_one.compile()
 
     def __call__(self, **inputs: float) -> None:
         """Evaluate once.
 
-        Raises TypeError for an unknown input, ValueError for one that is not
-        finite (S37); the instance is then as it was before.
+        Raises TypeError for an unknown input or what is no number, ValueError
+        for a number that is not finite (S37); the instance is then as it was.
         """
-        written = [(self._place(name), _finite(name, value)) for name, value in inputs.items()]
-        for place, value in written:
-            self._words[place] = value
-        self._run(self._program.ints, self._program.floats, self._memory)
+        places = self._places
+        try:
+            usable = all(map(isfinite, inputs.values())) and inputs.keys() <= places.keys()
+        except TypeError:
+            usable = False
+        if not usable:
+            inputs = self._checked(inputs)
+        for name, value in inputs.items():
+            self._words[places[name]] = value
+        self._run(*self._buffers)
 
     def __getattr__(self, name: str) -> float:
         """Return the value of the output `name`."""
-        names = self._program.output_names
-        try:
-            place = names.index(name) if name in names else names.index(declared_name(name, names, "output"))
-        except TypeError as unknown:
-            raise AttributeError(str(unknown), name=name, obj=self) from None
-        return self._words[self._program.outputs_at + place]
+        place = self._results.get(name)
+        if place is None:
+            try:
+                place = self._results[declared_name(name, self._program.output_names, "output")]
+            except TypeError as unknown:
+                raise AttributeError(str(unknown), name=name, obj=self) from None
+        return self._words[place]
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._program.output_names]
@@ -79,19 +88,18 @@ class Instance:
     def explain(self, **inputs: float) -> Explanation:
         """Return what a call with `inputs` would do, step by step; the instance stays as it is."""
         memory = self._memory.copy()
-        for name, value in inputs.items():
-            memory[self._place(name)] = _finite(name, value)
+        for name, value in self._checked(inputs).items():
+            memory[self._places[name]] = value
         return explain(self._block, self._program, memory)
 
     def reset(self) -> None:
         """Set inputs and outputs to their initial values, as a cold restart does."""
         self._memory[:] = self._program.initial
 
-    def _place(self, name: str) -> int:
-        place = self._places.get(name)
-        if place is None:
-            place = self._places[declared_name(name, self._program.input_names, "input")]
-        return place
+    def _checked(self, inputs: dict[str, Any]) -> dict[str, float]:
+        """Return inputs as finite floats by their declared names, or raise what `__call__` says."""
+        names = self._program.input_names
+        return {declared_name(name, names, "input"): _finite(name, value) for name, value in inputs.items()}
 
     def _stretch(self, start: int, names: tuple[str, ...]) -> dict[str, float]:
         return dict(zip(names, self._words[start : start + len(names)].tolist(), strict=True))
