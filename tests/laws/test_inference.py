@@ -119,6 +119,15 @@ def test_a_rule_with_weight_0_counts_for_nothing(seed):
             assert ours.outputs[name] == theirs.outputs[name]
 
 
+@given(SEEDS, st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=5, max_size=5))
+def test_a_finite_input_gives_a_finite_output(seed, numbers):
+    base = random_base(seed, 20)
+    program = assemble(base)
+    memory = infer(program, dict(zip(program.input_names, numbers, strict=True)))
+    assert np.isfinite(memory[: program.recorded]).all()
+    assert (memory[program.degrees_at : program.recorded] <= 1.0).all()
+
+
 def memories(evaluated=infer):
     """Return what many evaluations leave in the head of their memories, in hexadecimal."""
     lines = []
