@@ -37,16 +37,16 @@ lint: $(test_stamp) ## style, types and the floors of the house
 # The wheel is built from the source distribution, so both are proved; its
 # dependencies come from the lock, and pip checks that its own list agrees.
 smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench from it
-	@rm -rf build/smoke && mkdir -p build/smoke/source build/smoke/elsewhere
-	@$(python) -m hatchling --quiet build --target sdist --directory build/smoke
+	@rm -rf build/smoke && mkdir -p build/smoke/source
+	@$(python) -m hatchling build --target sdist --directory build/smoke
 	@tar --extract --strip-components 1 --directory build/smoke/source --file build/smoke/*.tar.gz
-	@cd build/smoke/source && $(CURDIR)/$(python) -m hatchling --quiet build --target wheel --directory ..
+	@cd build/smoke/source && $(CURDIR)/$(python) -m hatchling build --target wheel --directory ..
 	@$(PYTHON) -m venv build/smoke/venv
 	@build/smoke/venv/bin/python -m pip $(pip_flags) --require-hashes --requirement requirements-run.lock
 	@build/smoke/venv/bin/python -m pip $(pip_flags) --no-deps build/smoke/*.whl
 	@build/smoke/venv/bin/python -m pip check
-	@cd build/smoke/elsewhere && ../venv/bin/fcl-sim run
-	@test -s build/smoke/elsewhere/reports/report.pdf
+	@elsewhere=$$(mktemp -d) && trap 'rm -rf "$$elsewhere"' EXIT && cd "$$elsewhere" && \
+	  $(CURDIR)/build/smoke/venv/bin/fcl-sim run >run.log && test -s reports/report.pdf && tail -n 1 run.log
 
 bench: $(test_stamp) ## measure the speed, against C
 	@$(python) -m benchmarks
