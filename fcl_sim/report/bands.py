@@ -16,6 +16,9 @@ FAR = 1.5
 NARROW = 8.0
 """Bounds are narrow when the data span so many times their distance."""
 
+RIGHT = 16.0
+"""Width in mm of what names bounds."""
+
 LABEL = 2.7
 """Height of a label in mm, for keeping them apart."""
 
@@ -69,7 +72,7 @@ def _name_bounds(axes: Axes, labels: Mapping[float, Sequence[str]], height: floa
             arrow = "\N{DOWNWARDS ARROW}" if middle < low else "\N{UPWARDS ARROW}"
             text = f"{text} {arrow}{number(middle, 3)}"
         axes.annotate(
-            style.cut(text, 13.0, style.SMALL),
+            style.cut(text, RIGHT, style.SMALL),
             (1, at),
             (4, 0),
             "axes fraction",
@@ -103,5 +106,5 @@ def draw_violations(
             axes.axvspan(start, end, 0.955, 1.0, facecolor=style.VIOLATION_EDGE, linewidth=0, zorder=4)
             continue
         index, colour = run
-        top = 1.0 - 0.06 * index
-        axes.axvspan(start, end, top - 0.045, top, facecolor=colour, linewidth=0, zorder=4)
+        top = 1.0 - 0.05 * index
+        axes.axvspan(start, end, top - 0.035, top, facecolor=colour, linewidth=0, zorder=4)

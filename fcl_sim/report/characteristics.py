@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fcl_sim.block import Block
 from fcl_sim.loop.trace import FuzzyRecord, Values
@@ -26,14 +27,15 @@ PANELS = 6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Subject:
-    """An output of a block, and what a run made of the block: `seen` its inputs (n,), by name."""
+    """An output of a block; of a run what it saw, by input, and gave, and where a rule was active, (n,)."""
 
     block: Block
     output: str
     unit: str
     inputs: tuple[Domain, ...]
     seen: Mapping[str, Values]
-    given: Values | None
+    given: Values
+    active: NDArray[np.bool_]
     name: str
 
 
@@ -57,40 +59,35 @@ def characteristic(
     drawn and the others held at their medians, or in the middle without a run.
     """
     inputs = sampling.domains(block.function_block, units)
-    seen, given = _columns(record, inputs)
     unit_of = {name.casefold(): unit for name, unit in units.items()}
-    outputs = block.function_block.outputs
+    seen = {} if record is None else _seen(record, inputs)
     pictures = []
-    for output in outputs:
+    for column, output in enumerate(block.outputs):
         subject = Subject(
             block=block,
-            output=output.name,
-            unit=unit_of.get(output.name.casefold(), ""),
+            output=output,
+            unit=unit_of.get(output.casefold(), ""),
             inputs=inputs,
             seen=seen,
-            given=given.get(output.name.casefold()),
-            name=stem if len(outputs) == 1 else f"{stem}-{output.name}",
+            given=record.outputs[:, column] if record else np.zeros(0),
+            active=record.active[:, column] if record else np.zeros(0, dtype=bool),
+            name=stem if len(block.outputs) == 1 else f"{stem}-{output}",
         )
         pictures.append(_curve(subject) if len(inputs) == 1 else _map(subject))
     return pictures
 
 
-def _columns(
-    record: FuzzyRecord | None, inputs: Sequence[Domain]
-) -> tuple[dict[str, Values], dict[str, Values]]:
-    """Return what a run saw, by input, and what it gave, by output with letter case folded."""
-    if record is None:
-        return {}, {}
-    seen = {name.casefold(): record.inputs[:, column] for column, name in enumerate(record.input_names)}
-    given = {name.casefold(): record.outputs[:, column] for column, name in enumerate(record.output_names)}
-    return {each.name: seen[each.name.casefold()] for each in inputs}, given
+def _seen(record: FuzzyRecord, inputs: Sequence[Domain]) -> dict[str, Values]:
+    """Return what a run saw, by input; letter case is ignored."""
+    columns = {name.casefold(): column for column, name in enumerate(record.input_names)}
+    return {each.name: record.inputs[:, columns[each.name.casefold()]] for each in inputs}
 
 
 def _curve(subject: Subject) -> Picture:
     across, track = subject.inputs[0], None
-    if subject.given is not None:
+    if subject.seen:
         across = sampling.following(across, subject.seen[across.name])
-        track = Track(subject.seen[across.name], subject.given)
+        track = Track(subject.seen[across.name], subject.given, subject.active)
     line = sampling.curve(subject.block, subject.output, across, {}, subject.unit)
     caption = [f"{one_line(subject.output)} over {one_line(across.name)}."]
     if line.undefined.any():
@@ -108,7 +105,7 @@ def _map(subject: Subject) -> Picture:
     track, near = None, None
     if subject.seen:
         paths = [subject.seen[each.name] for each in plane]
-        track = Track(*paths)
+        track = Track(paths[0], paths[1], subject.active)
         plane = [sampling.following(each, path) for each, path in zip(plane, paths, strict=True)]
         near = sampling.closer(plane, paths)
     views = [(plane, "all terms"), *([(near, "where the run went")] if near else [])]

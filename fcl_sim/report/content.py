@@ -13,6 +13,7 @@ from fcl_sim.report import characteristics, pictures, summary
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of, rule_base
 from fcl_sim.report.results import ARITHMETIC, versions
+from fcl_sim.report.setting import differences, milliseconds, parameters, starts
 from fcl_sim.report.words import (
     bound,
     counted,
@@ -27,6 +28,9 @@ from fcl_sim.report.words import (
 from fcl_sim.testbench import Outcome, Run
 
 Data = dict[str, Any]
+MOST_ENTRIES = 60
+"""Lines of the contents; where there would be more, they name sections of the first order alone."""
+
 Register = Callable[[str, Picture], str]
 """Takes the folder and a picture, returns the SVG file's name that will hold it."""
 
@@ -39,7 +43,6 @@ MOST_SUBJECTS = 3
 def report_data(outcomes: Sequence[Outcome], register: Register) -> Data:
     """Return the report's data; every picture in it goes through `register`."""
     status = summary.overall(outcomes)
-    bases = rule_bases(outcomes)
     return {
         "title": one_line(_title(outcomes)),
         "kind": KIND,
@@ -52,7 +55,8 @@ def report_data(outcomes: Sequence[Outcome], register: Register) -> Data:
         "overview": [_overview(outcome, f"s{index}") for index, outcome in enumerate(outcomes)],
         "provenance": _provenance(outcomes),
         "scenarios": [_scenario(outcome, f"s{index}", register) for index, outcome in enumerate(outcomes)],
-        "rule_bases": [_rule_base(base, f"r{index}", register) for index, base in enumerate(bases)],
+        "depth": 2 if sum(len(each.variants) + 3 for each in outcomes) < MOST_ENTRIES else 1,
+        "rule_bases": _rule_bases(rule_bases(outcomes), register),
     }
 
 
@@ -89,14 +93,10 @@ def _provenance(outcomes: Sequence[Outcome]) -> list[Data]:
         lines = [line for each in mine for line in (each.name, f"  {each.digest}")]
         rows.append(_fact(f"{role.capitalize()}{'s' if len(mine) > 1 else ''}, SHA-256", *lines, mono=True))
     scans = {run.diagram.timing.scan for outcome in outcomes for run in outcome.variants.values()}
-    rows.append(_fact("Scan", joined([_milliseconds(scan) for scan in sorted(scans)])))
+    rows.append(_fact("Scan", joined([milliseconds(scan) for scan in sorted(scans)])))
     rows.append(_fact("Arithmetic", f"{ARITHMETIC}, IEC 60559 binary64"))
     rows.append(_fact("Versions", ", ".join(f"{name} {each}" for name, each in versions().items())))
     return rows
-
-
-def _milliseconds(ticks: int) -> str:
-    return with_unit(ticks / 1e6, "ms", 9)
 
 
 def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
@@ -118,7 +118,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
 def _sections(outcome: Outcome, register: Register) -> list[Data]:
     runs = list(outcome.variants.values())
     parts = [("All runs", "", pictures.all_runs(outcome))]
-    parts += [(_run_title(run), _run_text(run), pictures.over_time(run)) for run in runs]
+    parts += [(_run_title(outcome, run), _run_text(outcome, run), pictures.over_time(run)) for run in runs]
     maps = [each for run in runs for each in characteristics.over_inputs(run)]
     parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
     return [
@@ -134,7 +134,7 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
 
 CHARACTERISTIC = (
     "What a rule base gives for every pair of inputs, and the way of each run over it, "
-    "from the circle to the square. Where it is hatched, no rule is active."
+    "from the circle to the square. Where the map is hatched or the way orange, no rule is active."
 )
 
 
@@ -147,16 +147,23 @@ def _picture(picture: Picture, folder: str, register: Register) -> Data:
     return {"file": register(folder, picture), "caption": picture.caption, "alt": picture.alt}
 
 
-def _run_title(run: Run) -> str:
-    return f"Run {run.variant}" + (f": {run.title}" if run.title and run.title != run.variant else "")
+def _run_title(outcome: Outcome, run: Run) -> str:
+    named = run.title not in {"", run.variant, outcome.scenario.title}
+    return f"Run {run.variant}: {run.title}" if named else f"Run {run.variant}"
 
 
-def _run_text(run: Run) -> str:
+def _run_text(outcome: Outcome, run: Run) -> str:
+    """Return what sets a run apart from the base run, and why it ended early where it did."""
+    sentences = []
+    unlike = [] if run is outcome.base else differences(outcome.base.diagram, run.diagram)
+    if unlike:
+        sentences.append(f"Unlike the base run: {'; '.join(unlike)}.")
     fault = run.trace.fault
-    if fault is None:
-        return ""
-    at = with_unit(fault.tick / 1e9, "s", 9)
-    return f"FAULT: the run ended at {at}, at {one_line(fault.signal)}: {one_line(fault.reason)}."
+    if fault is not None:
+        at = with_unit(fault.tick / 1e9, "s", 9)
+        reason = one_line(fault.reason)
+        sentences.append(f"FAULT: the run ended at {at}, at {one_line(fault.signal)}: {reason}.")
+    return " ".join(sentences)
 
 
 def _facts(outcome: Outcome) -> list[Data]:
@@ -164,18 +171,14 @@ def _facts(outcome: Outcome) -> list[Data]:
     plant, timing, integration = diagram.plant, diagram.timing, diagram.integration
     declared = plant.model.declaration
     rows = [_fact("Plant", f"{declared.title} ({declared.name})" if declared.title else declared.name)]
-    units = {each.name: each.unit for each in declared.parameters} | {
-        each.name: each.unit for each in declared.states
-    }
-    for label, values in (("Parameters", plant.parameters), ("Start", plant.start)):
-        given = [f"{name} = {exactly(each, units.get(name, ''))}" for name, each in values.items()]
+    for label, given in (("Parameters", parameters(plant)), ("Start", starts(plant))):
         if given:
-            rows.append(_fact(label, ", ".join(given)))
-    times = f"{with_unit(timing.duration / 1e9, 's', 9)}, scan {_milliseconds(timing.scan)}"
+            rows.append(_fact(label, ", ".join(f"{name} = {value}" for name, value in given.items())))
+    times = f"{with_unit(timing.duration / 1e9, 's', 9)}, scan {milliseconds(timing.scan)}"
     if timing.latency:
-        times += f", latency {_milliseconds(timing.latency)}"
+        times += f", latency {milliseconds(timing.latency)}"
     if timing.jitter:
-        times += f", jitter up to {_milliseconds(timing.jitter)}, seed {timing.seed}"
+        times += f", jitter up to {milliseconds(timing.jitter)}, seed {timing.seed}"
     rows.append(_fact("Duration", times))
     if outcome.scenario.overrides:
         rows.append(
@@ -193,18 +196,22 @@ def requirement_rows(runs: Sequence[Run]) -> list[Data]:
             asked = verdict.requirement
             key = (asked.id, asked.text, bound(asked), verdict.definition)
             grouped.setdefault(key, []).append((run, verdict))
-    return [
-        {
-            "id": one_line(key[0]),
-            "text": one_line(key[1]),
-            "signal": one_line(results[0][1].requirement.signal),
-            "metric": _metric_name(results[0][1].requirement),
-            "bound": key[2],
-            "definition": one_line(key[3]),
-            "results": [_result(run, verdict) for run, verdict in results],
-        }
-        for key, results in grouped.items()
-    ]
+    return [_requirement(results) for results in grouped.values()]
+
+
+def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
+    first = results[0][1]
+    told = [_result(run, verdict) for run, verdict in results]
+    return {
+        "id": one_line(first.requirement.id),
+        "text": one_line(first.requirement.text),
+        "signal": one_line(first.requirement.signal),
+        "metric": _metric_name(first.requirement),
+        "bound": bound(first.requirement),
+        "definition": one_line(first.definition),
+        "results": told,
+        "rows": 1 + len(told) + sum(bool(each["note"]) for each in told),
+    }
 
 
 def _metric_name(requirement: Requirement) -> str:
@@ -218,7 +225,7 @@ def _result(run: Run, verdict: Verdict) -> Data:
         "value": value(verdict),
         "status": str(verdict.status),
         "expected": summary.expected_miss(verdict),
-        "note": "" if plainly_met else one_line(verdict.reason),
+        "note": "" if plainly_met else one_line(verdict.reason).removesuffix(" This miss is expected."),
     }
 
 
@@ -245,14 +252,23 @@ def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
     return [Base(file=file, node=node, records=records) for file, node, records in found.values()]
 
 
-def _rule_base(base: Base, anchor: str, register: Register) -> Data:
+def _rule_bases(bases: Sequence[Base], register: Register) -> list[Data]:
+    names = [base.node.block.name for base in bases]
+    return [
+        _rule_base(base, f"r{index}", register, namesakes=names.count(base.node.block.name) > 1)
+        for index, base in enumerate(bases)
+    ]
+
+
+def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) -> Data:
     block = base.node.block.function_block
     shown = characteristics.memberships(base.node.block, base.node.units, f"{block.name}-terms", base.records)
     rules = sum(len(each.rules) for each in block.rule_blocks)
     operators = [_operators(each) for each in block.rule_blocks]
+    where = f" in {one_line(base.file.name)}" if namesakes else ""
     outputs = [f"{each.variable}: {each.method}, {_undefined(each)}" for each in block.defuzzifications]
     return {
-        "title": f"Rule base {one_line(block.name)}",
+        "title": f"Rule base {one_line(block.name)}{where}",
         "anchor": anchor,
         "facts": [
             _fact("File", base.file.name, mono=True),

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from fcl_sim.report import style
 from fcl_sim.report.words import one_line
 
-LEFT, RIGHT = 15.0, 2.0
+LEFT, RIGHT = 14.0, 2.0
 STROKE = 9.0
 AFTER = 7.0
 ROW = 4.0

@@ -1,18 +1,15 @@
 """Which pictures of signals over time an outcome gets, each with its caption and alternative text."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
 from matplotlib.figure import Figure
 
 from fcl_sim.report import alt
-from fcl_sim.report.time_plots import GAP, HEADING, Lane, Shown, lanes, time_plot
+from fcl_sim.report.time_plots import Lane, Shown, lanes, pages, time_plot
 from fcl_sim.report.words import one_line, with_unit
 from fcl_sim.testbench import Outcome, Run
-
-TALLEST = 205.0
-"""Height in mm that headings and a caption leave for a figure on a page."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,31 +26,31 @@ def all_runs(outcome: Outcome) -> list[Picture]:
     """Return the judged signals with all runs overlaid; nothing where there is one run, or nothing judged."""
     runs = [_shown(run) for run in outcome.variants.values()]
     wanted = [lane for lane in lanes(runs[0]) if lane.judged] if len(runs) > 1 else []
-    pages = list(_pages(wanted))
+    parted = pages(wanted)
     return [
         Picture(
-            name=numbered("all-runs", index, len(pages)),
+            name=numbered("all-runs", index, len(parted)),
             caption="Judged signals, all runs overlaid. Bands are what the requirements allow, dashed lines "
             "their bounds; a bar at the upper edge marks where the run of its colour violates one.",
             alt=alt.of_runs(runs, page),
             draw=partial(time_plot, runs, page),
         )
-        for index, page in enumerate(pages)
+        for index, page in enumerate(parted)
     ]
 
 
 def over_time(run: Run) -> list[Picture]:
     """Return every signal of a run over time, as many figures as pages are needed."""
     view = _shown(run)
-    pages = list(_pages(lanes(view)))
+    parted = pages(lanes(view))
     return [
         Picture(
-            name=numbered(f"{run.variant}-time", index, len(pages)),
+            name=numbered(f"{run.variant}-time", index, len(parted)),
             caption=_caption(run, page, index),
             alt=alt.of_runs([view], page),
             draw=partial(time_plot, [view], page),
         )
-        for index, page in enumerate(pages)
+        for index, page in enumerate(parted)
     ]
 
 
@@ -65,21 +62,6 @@ def numbered(stem: str, index: int, count: int) -> str:
 def _shown(run: Run) -> Shown:
     duration = run.diagram.timing.duration / 1e9
     return Shown(label=run.variant, trace=run.trace, duration=duration, verdicts=run.verdicts)
-
-
-def _pages(wanted: Sequence[Lane]) -> Iterator[list[Lane]]:
-    """Part lanes into figures that fit a page."""
-    page: list[Lane] = []
-    height = 0.0
-    for lane in wanted:
-        size = lane.height + HEADING + GAP
-        if page and height + size > TALLEST:
-            yield page
-            page, height = [], 0.0
-        page.append(lane)
-        height += size
-    if page:
-        yield page
 
 
 def _caption(run: Run, page: Sequence[Lane], index: int) -> str:

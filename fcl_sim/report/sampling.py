@@ -61,10 +61,11 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """The way of a run through a picture, (n,) each."""
+    """The way of a run through a picture, (n,) each; `active` where any rule was active for the output."""
 
     x: Values
     y: Values
+    active: NDArray[np.bool_]
 
 
 def domains(block: FunctionBlock, units: Mapping[str, str]) -> tuple[Domain, ...]:

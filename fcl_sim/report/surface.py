@@ -176,34 +176,32 @@ def _outline(surface: Surface) -> list[list[tuple[float, float]]]:
 
 def _draw_track(axes: Axes, track: Track) -> None:
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    x, y = thinned_path(track.x, track.y, (right - left, high - low))
+    x, y, active = thinned_path(track, (right - left, high - low))
     if not len(x):
         return
-    axes.plot(x, y, color=style.INK, linewidth=0.9, path_effects=HALO, zorder=5, solid_joinstyle="round")
-    ends: dict[str, Any] = {
-        "color": style.INK,
-        "markeredgewidth": 0.9,
-        "clip_on": False,
-        "zorder": 6,
-        "linestyle": "none",
-    }
+    line: dict[str, Any] = {"linewidth": 1.0, "path_effects": HALO, "solid_joinstyle": "round"}
+    axes.plot(x, y, color=style.INK, zorder=5, **line)
+    for start, end in stretches(~active):
+        lost = slice(max(start - 1, 0), end + 1)
+        axes.plot(x[lost], y[lost], color=style.VIOLATION_EDGE, zorder=5.1, **line)
+    mark: dict[str, Any] = {"color": style.INK, "linestyle": "none", "clip_on": False, "zorder": 6}
     if left <= x[0] <= right and low <= y[0] <= high:
-        axes.plot(x[:1], y[:1], "o", markersize=5.2, markerfacecolor=style.PAPER, **ends)
+        axes.plot(x[:1], y[:1], "o", markersize=6.2, markerfacecolor=style.PAPER, markeredgewidth=0.9, **mark)
     if left <= x[-1] <= right and low <= y[-1] <= high:
-        axes.plot(x[-1:], y[-1:], "s", markersize=4.2, path_effects=HALO, **ends)
+        axes.plot(x[-1:], y[-1:], "s", markersize=3.4, path_effects=HALO, **mark)
     axes.set_xlim(left, right)
     axes.set_ylim(low, high)
 
 
 def thinned_path(
-    x: Values, y: Values, spans: tuple[float, float], cells: int = 1500
-) -> tuple[Values, Values]:
-    """Return the finite points of a path (n,) that leave their `cells`-th of the spans, and its last."""
-    finite = np.isfinite(x) & np.isfinite(y)
-    x, y = x[finite], y[finite]
+    track: Track, spans: tuple[float, float], cells: int = 1500
+) -> tuple[Values, Values, NDArray[np.bool_]]:
+    """Return the points of a track that are finite and leave their `cells`-th of the spans, and its last."""
+    finite = np.isfinite(track.x) & np.isfinite(track.y)
+    x, y, active = track.x[finite], track.y[finite], track.active[finite]
     if len(x) < 2:
-        return x, y
-    places = np.stack([np.round(x / spans[0] * cells), np.round(y / spans[1] * cells)])
+        return x, y, active
+    places = np.stack([np.round(x / spans[0] * cells), np.round(y / spans[1] * cells), active])
     keep = np.concatenate(([True], (np.diff(places, axis=1) != 0).any(axis=0)))
     keep[-1] = True
-    return x[keep], y[keep]
+    return x[keep], y[keep], active[keep]

@@ -18,13 +18,22 @@ from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
 
-LEFT, RIGHT = 15.0, 15.0
+LEFT, RIGHT = 14.0, 18.0
 ACROSS = style.WIDTH - LEFT - RIGHT
-HEADING = 4.4
-GAP = 2.6
+HEADING = 4.2
+GAP = 1.9
 AFTER = 3.0
-TALL, LOW = 22.0, 13.0
+TALL, LOW = 18.0, 11.0
 """Heights in mm of an axis with a requirement and of one without."""
+
+TALLEST = 212.0
+"""Height in mm that a heading, a paragraph and a caption leave for a figure on a page."""
+
+SQUEEZE = 0.72
+"""Axes are made lower by this at most to save a page."""
+
+NOTHING = 1e-9
+"""A signal that ends so far below its largest value ends at zero."""
 
 BUCKETS = 900
 """A line is thinned to its extremes in so many stretches: finer than any printer."""
@@ -98,6 +107,20 @@ def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Value
     return time[chosen], values[chosen]
 
 
+def pages(shown: Sequence[Lane]) -> list[list[Lane]]:
+    """Part lanes into figures that fit a page each."""
+    parted: list[list[Lane]] = [[]]
+    height = room_below("time [s]")
+    for lane in shown:
+        needed = SQUEEZE * lane.height + HEADING + GAP
+        if parted[-1] and height + needed > TALLEST:
+            parted.append([])
+            height = room_below("time [s]")
+        parted[-1].append(lane)
+        height += needed
+    return [page for page in parted if page]
+
+
 def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     """Return stacked axes, one a lane, with the runs in each, the first drawn strongest.
 
@@ -109,13 +132,16 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
         labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
         top = legend_height(labels)
         above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
-        total = sum(above) + sum(lane.height for lane in shown) + (len(shown) - 1) * GAP
-        figure = style.blank(top + total + room_below("time [s]"))
+        fixed = top + sum(above) + (len(shown) - 1) * GAP + room_below("time [s]")
+        whole = sum(lane.height for lane in shown)
+        squeeze = min(1.0, max(SQUEEZE, (TALLEST - fixed) / whole))
+        figure = style.blank(fixed + squeeze * whole)
         draw_legend(figure, labels)
         end = max(run.duration for run in runs)
         for lane, texts, heading in zip(shown, headings, above, strict=True):
             top += heading
-            axes = style.place(figure, LEFT, top, ACROSS, lane.height)
+            height = squeeze * lane.height
+            axes = style.place(figure, LEFT, top, ACROSS, height)
             axes.set_xlim(0.0, end)
             _draw_lane(axes, lane, runs)
             bottom = lane is shown[-1]
@@ -128,7 +154,7 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
                 labels=bottom,
             )
             _heading(axes, texts, lane, runs)
-            top += lane.height + GAP
+            top += height + GAP
     return figure
 
 
@@ -136,7 +162,7 @@ def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     bands = _bands(lane, runs)
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
     axes.set_ylim(lane.focus or _limits([run.trace[lane.signal] for _, run in present], bands))
-    draw_bands(axes, bands, lane.height)
+    draw_bands(axes, bands, style.size(axes)[1])
     for index, run in reversed(present):
         _draw_run(axes, lane, run, index, alone=len(runs) == 1)
 
@@ -207,7 +233,11 @@ def _heading(axes: Axes, texts: tuple[str, str], lane: Lane, runs: Sequence[Show
 def _end_text(lane: Lane, runs: Sequence[Shown]) -> str:
     if len(runs) > 1 or lane.focus or lane.signal not in runs[0].trace or not len(runs[0].trace.ticks):
         return ""
-    return f"ends at {with_unit(float(runs[0].trace[lane.signal][-1]), lane.unit)}"
+    values = runs[0].trace[lane.signal]
+    last = float(values[-1])
+    if abs(last) < NOTHING * float(np.max(np.abs(values), where=np.isfinite(values), initial=0.0)):
+        last = 0.0
+    return f"ends at {with_unit(last, lane.unit)}"
 
 
 def _legend_text(run: Shown) -> str:
