@@ -6,11 +6,10 @@ one that stays beyond zero happens once, one whose transition puts its function
 back to zero, as a bounce does, can happen again at once.
 """
 
-from fcl_sim.jit import inlined, kernel, u
+from fcl_sim.jit import flat, inlined, u
 from fcl_sim.loop.layout import CHATTERS, DIRECTIONS_AT, EVENTS
 from fcl_sim.loop.step import attempt
-from fcl_sim.loop.work import ARMED, HAPPENED, INDEX, MODE, STATUS, Floats, Ints
-from fcl_sim.plant.functions import PlantFunction
+from fcl_sim.loop.work import ARMED, HAPPENED, INDEX, MODE, STATUS, Floats, Ints, Plant, Work
 
 MAX_EVENTS = 1_000
 """Events between two writes beyond which a plant chatters."""
@@ -40,62 +39,43 @@ def first_beyond(ints: Ints, g: Floats, progress: Ints) -> int:
     return -1
 
 
-@kernel
-def settle(
-    event: int,
-    events: PlantFunction,
-    transition: PlantFunction,
-    t: float,
-    ints: Ints,
-    x: Floats,
-    held: Floats,
-    p: Floats,
-    progress: Ints,
-    g0: Floats,
-) -> bool:
+@inlined
+def look(plant: Plant, work: Work, t: float, x: Floats, g: Floats) -> int:
+    """Take the events' functions at x; return the first armed event beyond zero, -1 where there is none."""
+    plant.events(t, x, work.held, work.p, work.progress[u(MODE)], g)
+    return first_beyond(work.ints, g, work.progress)
+
+
+@flat
+def settle(plant: Plant, work: Work, t: float, event: int) -> bool:
     """Let `event` happen, then every armed event that stands beyond zero; return whether it ends.
 
     A transition may set x and give a new mode, in which the events' functions are taken anew.
     """
+    progress, g0 = work.progress, work.g0
     while event >= 0:
-        progress[u(MODE)] = transition(event, t, x, held, p, progress[u(MODE)])
+        progress[u(MODE)] = plant.transition(event, t, work.x, work.held, work.p, progress[u(MODE)])
         progress[u(ARMED)] &= ~(1 << event)
-        events(t, x, held, p, progress[u(MODE)], g0)
-        rearm(ints, g0, progress)
+        plant.events(t, work.x, work.held, work.p, progress[u(MODE)], g0)
+        rearm(work.ints, g0, progress)
         progress[u(HAPPENED)] += 1
         if progress[u(HAPPENED)] > MAX_EVENTS:
             progress[u(STATUS)] = CHATTERS
             progress[u(INDEX)] = event
             return False
-        event = first_beyond(ints, g0, progress)
+        event = first_beyond(work.ints, g0, progress)
     return True
 
 
-@kernel
-def locate(
-    which: int,
-    dynamics: PlantFunction,
-    events: PlantFunction,
-    t: float,
-    h: float,
-    ints: Ints,
-    floats: Floats,
-    x: Floats,
-    held: Floats,
-    p: Floats,
-    progress: Ints,
-    work: Floats,
-    dx: Floats,
-    trial: Floats,
-    g0: Floats,
-    g1: Floats,
-) -> tuple[float, int]:
+@flat
+def locate(plant: Plant, work: Work, t: float, h: float, which: int) -> tuple[float, int]:
     """Return the part of the step h at whose end event `which` has just crossed zero, and that event.
 
     On entry `trial` and g1 belong to the whole step, on return to that part of
     it. Regula falsi after Illinois on the interval (0, 1) of the step; the end
     of it that lies beyond zero is returned. An event found to be earlier takes the place of `which`.
     """
+    g0, g1 = work.g0, work.g1
     low, high, part = 0.0, 1.0, 1.0
     g_low, g_high = g0[u(which)], g1[u(which)]
     side = 0
@@ -106,9 +86,8 @@ def locate(
                 part = 0.5 * (low + high)
         else:
             part = high
-        attempt(dynamics, t, part * h, ints, floats, x, held, p, progress, work, dx, trial)
-        events(t + part * h, trial, held, p, progress[u(MODE)], g1)
-        earlier = first_beyond(ints, g1, progress)
+        attempt(plant, work, t, part * h)
+        earlier = look(plant, work, t + part * h, work.trial, g1)
         if earlier >= 0 and earlier != which:
             which, low, high, side = earlier, 0.0, part, 0
             g_low, g_high = g0[u(which)], g1[u(which)]

@@ -9,7 +9,7 @@ step is cut there and restarted (`loop.events`).
 from math import ceil, inf
 
 from fcl_sim.jit import inlined, u
-from fcl_sim.loop.events import first_beyond, locate, rearm, settle
+from fcl_sim.loop.events import locate, look, rearm, settle
 from fcl_sim.loop.layout import (
     ADAPTIVE,
     BLEW_UP,
@@ -23,8 +23,7 @@ from fcl_sim.loop.layout import (
     STEP_TOO_SMALL,
 )
 from fcl_sim.loop.step import attempt, error_of, keep, worst_state
-from fcl_sim.loop.work import GUESS, HAPPENED, INDEX, MODE, STATUS, Floats, Ints, row_of
-from fcl_sim.plant.functions import PlantFunction
+from fcl_sim.loop.work import GUESS, HAPPENED, INDEX, MODE, STATUS, Plant, Work, row_of
 
 MAX_STEPS = 1_000_000
 """Steps between two writes beyond which an integration is given up."""
@@ -44,129 +43,88 @@ def next_step(h: float, wanted: float, error: float, exponent: float) -> float:
 
 
 @inlined
-def accepted(
-    t: float,
-    h: float,
-    wanted: float,
-    ints: Ints,
-    floats: Floats,
-    x: Floats,
-    progress: Ints,
-    work: Floats,
-    dx: Floats,
-    trial: Floats,
-) -> bool:
+def accepted(work: Work, t: float, h: float, wanted: float) -> bool:
     """Judge an attempted step and choose the next; return whether it is accepted.
 
     A step that vanishes is an end: `progress` says so, and of which state.
     """
-    error = error_of(h, ints, floats, x, trial, work)
-    work[u(GUESS)] = next_step(h, wanted, error, floats[u(ints[u(STEP_AT)] + EXPONENT)])
+    ints, rows = work.ints, work.rows
+    error = error_of(work, h)
+    rows[u(GUESS)] = next_step(h, wanted, error, work.floats[u(ints[u(STEP_AT)] + EXPONENT)])
     if error <= 1.0:
         return True
-    if t + work[u(GUESS)] == t:
-        progress[u(STATUS)] = STEP_TOO_SMALL if error < inf else BLEW_UP
-        progress[u(INDEX)] = worst_state(h, ints, floats, x, trial, work)
+    if t + rows[u(GUESS)] == t:
+        work.progress[u(STATUS)] = STEP_TOO_SMALL if error < inf else BLEW_UP
+        work.progress[u(INDEX)] = worst_state(work, h)
     at = row_of(0, ints[u(STATES)])
     for i in range(ints[u(STATES)]):
-        dx[u(i)] = work[u(at + i)]
+        work.dx[u(i)] = rows[u(at + i)]
     return False
 
 
 @inlined
-def carry(ints: Ints, x: Floats, trial: Floats, g0: Floats, g1: Floats) -> None:
+def carry(work: Work) -> None:
     """Make the end of a step the start of the next."""
-    for i in range(0, ints[u(STATES)], 4):
+    x, trial = work.x, work.trial
+    for i in range(0, work.ints[u(STATES)], 4):
         x[u(i)] = trial[u(i)]
         x[u(i + 1)] = trial[u(i + 1)]
         x[u(i + 2)] = trial[u(i + 2)]
         x[u(i + 3)] = trial[u(i + 3)]
-    for i in range(ints[u(EVENTS)]):
-        g0[u(i)] = g1[u(i)]
+    for i in range(work.ints[u(EVENTS)]):
+        work.g0[u(i)] = work.g1[u(i)]
 
 
 @inlined
-def begin(
-    dynamics: PlantFunction,
-    events: PlantFunction,
-    transition: PlantFunction,
-    t: float,
-    ints: Ints,
-    x: Floats,
-    held: Floats,
-    p: Floats,
-    progress: Ints,
-    dx: Floats,
-    g0: Floats,
-) -> bool:
+def begin(plant: Plant, work: Work, t: float) -> bool:
     """Take up the integration after a write: what the write set off happens first; return whether it ends."""
+    progress = work.progress
     progress[u(STATUS)] = FINISHED
     progress[u(HAPPENED)] = 0
-    if ints[u(EVENTS)] > 0:
-        events(t, x, held, p, progress[u(MODE)], g0)
-        rearm(ints, g0, progress)
-        event = first_beyond(ints, g0, progress)
-        if event >= 0 and not settle(event, events, transition, t, ints, x, held, p, progress, g0):
+    if work.ints[u(EVENTS)] > 0:
+        event = look(plant, work, t, work.x, work.g0)
+        rearm(work.ints, work.g0, progress)
+        if event >= 0 and not settle(plant, work, t, event):
             return False
-    dynamics(t, x, held, p, progress[u(MODE)], dx)
+    plant.dynamics(t, work.x, work.held, work.p, progress[u(MODE)], work.dx)
     return True
 
 
 @inlined
-def advance(
-    dynamics: PlantFunction,
-    events: PlantFunction,
-    transition: PlantFunction,
-    t: float,
-    length: float,
-    ints: Ints,
-    floats: Floats,
-    x: Floats,
-    held: Floats,
-    p: Floats,
-    progress: Ints,
-    work: Floats,
-    dx: Floats,
-    trial: Floats,
-    g0: Floats,
-    g1: Floats,
-) -> bool:
+def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
     """Advance x from t by `length` seconds, the inputs held; return whether it could.
 
     On failure `progress` says how and of what.
     """
+    ints, progress = work.ints, work.progress
     adaptive = ints[u(ADAPTIVE)] == 1
-    if not begin(dynamics, events, transition, t, ints, x, held, p, progress, dx, g0):
+    if not begin(plant, work, t):
         return False
     done = h = 0.0
     for _ in range(MAX_STEPS):
-        keep(dx, work, 0, ints[u(STATES)])
-        wanted = work[u(GUESS)] if adaptive else floats[u(ints[u(STEP_AT)] + FIXED_STEP)]
+        keep(work, 0)
+        wanted = work.rows[u(GUESS)] if adaptive else work.floats[u(ints[u(STEP_AT)] + FIXED_STEP)]
         pieces = max(1.0, ceil((length - done) / wanted - 1e-9))
         h = (length - done) / pieces
-        attempt(dynamics, t + done, h, ints, floats, x, held, p, progress, work, dx, trial)
-        if adaptive and not accepted(t + done, h, wanted, ints, floats, x, progress, work, dx, trial):
+        attempt(plant, work, t + done, h)
+        if adaptive and not accepted(work, t + done, h, wanted):
             if progress[u(STATUS)] != FINISHED:
                 return False
             continue
         event, part = -1, 1.0
         if ints[u(EVENTS)] > 0:
-            events(t + done + h, trial, held, p, progress[u(MODE)], g1)
-            event = first_beyond(ints, g1, progress)
+            event = look(plant, work, t + done + h, work.trial, work.g1)
             if event >= 0:
-                part, event = locate(
-                    event, dynamics, events, t + done, h,
-                    ints, floats, x, held, p, progress, work, dx, trial, g0, g1,
-                )  # fmt: skip
-            rearm(ints, g1, progress)
-        carry(ints, x, trial, g0, g1)
+                part, event = locate(plant, work, t + done, h, event)
+            rearm(ints, work.g1, progress)
+        carry(work)
         done = length if pieces == 1.0 and part == 1.0 else done + part * h
-        if event >= 0 and not settle(event, events, transition, t + done, ints, x, held, p, progress, g0):
+        if event >= 0 and not settle(plant, work, t + done, event):
             return False
         if done >= length:
             return True
         if event >= 0 or not adaptive:
-            dynamics(t + done, x, held, p, progress[u(MODE)], dx)
+            plant.dynamics(t + done, work.x, work.held, work.p, progress[u(MODE)], work.dx)
     progress[u(STATUS)] = BUDGET_SPENT
-    progress[u(INDEX)] = worst_state(h, ints, floats, x, trial, work)
+    progress[u(INDEX)] = worst_state(work, h)
     return False

@@ -32,7 +32,7 @@ from fcl_sim.loop.layout import (
     WRITE_SIGNS_AT,
     WRITES_AT,
 )
-from fcl_sim.loop.work import GUESS, INDEX, MODE, PROGRESS, STATUS, Floats, Ints, work_size
+from fcl_sim.loop.work import GUESS, INDEX, MODE, PROGRESS, STATUS, Floats, Ints, Plant, Work, rows_size
 from fcl_sim.plant.declaration import START
 from fcl_sim.plant.functions import FUNCTION_TYPES, PlantFunction
 
@@ -74,38 +74,18 @@ def record_sample(ints: Ints, memory: Floats, row: Floats) -> None:
 
 
 @inlined
-def integrate_scan(
-    dynamics: PlantFunction,
-    events: PlantFunction,
-    transition: PlantFunction,
-    start: int,
-    end: int,
-    memory: Floats,
-    ints: Ints,
-    floats: Floats,
-    x: Floats,
-    held: Floats,
-    p: Floats,
-    progress: Ints,
-    work: Floats,
-    dx: Floats,
-    trial: Floats,
-    g0: Floats,
-    g1: Floats,
-) -> bool:
+def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: int) -> bool:
     """Integrate from scan to scan, in nanoseconds, writing after the latency; return whether it could."""
+    ints = work.ints
     done = start
     for piece in range(2):
         target = start + ints[u(LATENCY)] if piece == 0 else end
         if target > done:
-            if not advance(
-                dynamics, events, transition, done / 1e9, (target - done) / 1e9,
-                ints, floats, x, held, p, progress, work, dx, trial, g0, g1,
-            ):  # fmt: skip
+            if not advance(plant, work, done / 1e9, (target - done) / 1e9):
                 return False
             done = target
         if piece == 0:
-            write_outputs(ints, floats, memory)
+            write_outputs(ints, work.floats, memory)
     return True
 
 
@@ -137,10 +117,12 @@ def simulate(
     states, count = ints[u(STATES)], ints[u(EVENTS)]
     nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
     progress = np.zeros(PROGRESS, dtype=np.int64)
-    work = np.zeros(work_size(ints[u(STAGES)], states))
+    rows = np.zeros(rows_size(ints[u(STAGES)], states))
+    rows[u(GUESS)] = nominal
     dx, trial = np.zeros(states), np.zeros(states)
     g0, g1 = np.zeros(count), np.zeros(count)
-    work[u(GUESS)] = nominal
+    plant = Plant(dynamics, events, transition)
+    work = Work(ints, floats, x, held, p, progress, rows, dx, trial, g0, g1)
     progress[u(MODE)] = transition(START, starts[u(0)] / 1e9, x, held, p, START)
     if count > 0:
         events(starts[u(0)] / 1e9, x, held, p, progress[u(MODE)], g0)
@@ -162,10 +144,7 @@ def simulate(
             break
         record_sample(ints, memory, record[scan])
         report[u(REPORT_SAMPLES)] = scan + 1
-        if scan < ints[u(SCANS)] and not integrate_scan(
-            dynamics, events, transition, start, starts[u(scan + 1)], memory,
-            ints, floats, x, held, p, progress, work, dx, trial, g0, g1,
-        ):  # fmt: skip
+        if scan < ints[u(SCANS)] and not integrate_scan(plant, work, memory, start, starts[u(scan + 1)]):
             report[u(REPORT_STATUS)] = progress[u(STATUS)]
             report[u(REPORT_INDEX)] = progress[u(INDEX)]
             break

@@ -2,129 +2,118 @@
 
 from math import fabs, inf, isnan
 
-from fcl_sim.jit import inlined, kernel, u
+from fcl_sim.jit import flat, inlined, u
 from fcl_sim.loop.layout import ADAPTIVE, RTOL, SCALES_AT, SCHEME_AT, STAGES, STATES, STEP_AT, TRUE_STATES
-from fcl_sim.loop.work import MODE, ROWS_AT, Floats, Ints, row_of
-from fcl_sim.plant.functions import PlantFunction
+from fcl_sim.loop.work import BASE_AT, MODE, Floats, Plant, Work, row_of
 
 # States come in pieces of 4, written out: loops of constant length are what
 # lets the compiler keep a piece in one register.
 
 
 @inlined
-def keep(dx: Floats, work: Floats, derivative: int, states: int) -> None:
+def keep(work: Work, derivative: int) -> None:
     """Copy dx into the row of a derivative."""
+    dx, rows = work.dx, work.rows
+    states = work.ints[u(STATES)]
     at = row_of(derivative, states)
     for i in range(0, states, 4):
-        work[u(at + i)] = dx[u(i)]
-        work[u(at + i + 1)] = dx[u(i + 1)]
-        work[u(at + i + 2)] = dx[u(i + 2)]
-        work[u(at + i + 3)] = dx[u(i + 3)]
+        rows[u(at + i)] = dx[u(i)]
+        rows[u(at + i + 1)] = dx[u(i + 1)]
+        rows[u(at + i + 2)] = dx[u(i + 2)]
+        rows[u(at + i + 3)] = dx[u(i + 3)]
 
 
 @inlined
-def shift(
-    origin: Floats, origin_at: int, weight: float, dx: Floats, dx_at: int, point: Floats, states: int
-) -> None:
-    """Set point = origin + weight * dx, these two beginning at words of their buffers."""
-    for i in range(0, states, 4):
-        point[u(i)] = origin[u(origin_at + i)] + weight * dx[u(dx_at + i)]
-        point[u(i + 1)] = origin[u(origin_at + i + 1)] + weight * dx[u(dx_at + i + 1)]
-        point[u(i + 2)] = origin[u(origin_at + i + 2)] + weight * dx[u(dx_at + i + 2)]
-        point[u(i + 3)] = origin[u(origin_at + i + 3)] + weight * dx[u(dx_at + i + 3)]
+def shift(work: Work, origin: Floats, origin_at: int, weight: float, dx: Floats, dx_at: int) -> None:
+    """Set trial = origin + weight * dx, these two beginning at words of their buffers."""
+    trial = work.trial
+    for i in range(0, work.ints[u(STATES)], 4):
+        trial[u(i)] = origin[u(origin_at + i)] + weight * dx[u(dx_at + i)]
+        trial[u(i + 1)] = origin[u(origin_at + i + 1)] + weight * dx[u(dx_at + i + 1)]
+        trial[u(i + 2)] = origin[u(origin_at + i + 2)] + weight * dx[u(dx_at + i + 2)]
+        trial[u(i + 3)] = origin[u(origin_at + i + 3)] + weight * dx[u(dx_at + i + 3)]
 
 
 @inlined
-def gather(x: Floats, h: float, floats: Floats, row: int, count: int, work: Floats, states: int) -> None:
+def gather(work: Work, h: float, row: int, count: int) -> None:
     """Set base = x + h * (the first `count` derivatives, weighted by the row of the scheme)."""
+    floats, x, rows = work.floats, work.x, work.rows
+    states = work.ints[u(STATES)]
     for i in range(0, states, 4):
         s0 = s1 = s2 = s3 = 0.0
         at = row_of(0, states) + i
         for j in range(count):
             weight = floats[u(row + j)]
-            s0 += weight * work[u(at)]
-            s1 += weight * work[u(at + 1)]
-            s2 += weight * work[u(at + 2)]
-            s3 += weight * work[u(at + 3)]
+            s0 += weight * rows[u(at)]
+            s1 += weight * rows[u(at + 1)]
+            s2 += weight * rows[u(at + 2)]
+            s3 += weight * rows[u(at + 3)]
             at += states
-        base = ROWS_AT + i
-        work[u(base)] = x[u(i)] + h * s0
-        work[u(base + 1)] = x[u(i + 1)] + h * s1
-        work[u(base + 2)] = x[u(i + 2)] + h * s2
-        work[u(base + 3)] = x[u(i + 3)] + h * s3
+        base = BASE_AT + i
+        rows[u(base)] = x[u(i)] + h * s0
+        rows[u(base + 1)] = x[u(i + 1)] + h * s1
+        rows[u(base + 2)] = x[u(i + 2)] + h * s2
+        rows[u(base + 3)] = x[u(i + 3)] + h * s3
 
 
 @inlined
-def attempt(
-    dynamics: PlantFunction,
-    t: float,
-    h: float,
-    ints: Ints,
-    floats: Floats,
-    x: Floats,
-    held: Floats,
-    p: Floats,
-    progress: Ints,
-    work: Floats,
-    dx: Floats,
-    trial: Floats,
-) -> None:
+def attempt(plant: Plant, work: Work, t: float, h: float) -> None:
     """Fill `trial` with the solution a step h after x; the row of derivative 0 is that at x.
 
     For a scheme with step control dx and the row of the last derivative are
     left as the derivative at the solution.
     """
+    ints, floats = work.ints, work.floats
     stages = ints[u(STAGES)]
-    states = ints[u(STATES)]
     nodes = ints[u(SCHEME_AT)]
     adaptive = ints[u(ADAPTIVE)] == 1
     row = nodes + stages + 1
-    shift(x, 0, h * floats[u(row)], work, row_of(0, states), trial, states)
+    shift(work, work.x, 0, h * floats[u(row)], work.rows, row_of(0, ints[u(STATES)]))
     for stage in range(1, stages + 1):
         row += stage
         if stage < stages:
             # All of the next point but the derivative to come: work that need not wait for it.
-            gather(x, h, floats, row, stage, work, states)
+            gather(work, h, row, stage)
         if stage < stages or adaptive:
-            dynamics(t + floats[u(nodes + stage)] * h, trial, held, p, progress[u(MODE)], dx)
-            keep(dx, work, stage, states)
+            at = t + floats[u(nodes + stage)] * h
+            plant.dynamics(at, work.trial, work.held, work.p, work.progress[u(MODE)], work.dx)
+            keep(work, stage)
         if stage < stages:
-            shift(work, ROWS_AT, h * floats[u(row + stage)], dx, 0, trial, states)
+            shift(work, work.rows, BASE_AT, h * floats[u(row + stage)], work.dx, 0)
 
 
 @inlined
-def error_of_state(
-    i: int, h: float, ints: Ints, floats: Floats, x: Floats, trial: Floats, work: Floats
-) -> float:
+def error_of_state(work: Work, h: float, i: int) -> float:
     """Return the error estimate of state i in a step, in units of the tolerance."""
+    ints, floats = work.ints, work.floats
     stages = ints[u(STAGES)]
     states = ints[u(STATES)]
     weights = ints[u(SCHEME_AT)] + (stages + 1) + stages * (stages + 1) // 2
     total = 0.0
     for j in range(stages + 1):
-        total += floats[u(weights + j)] * work[u(row_of(j, states) + i)]
-    size = floats[u(ints[u(SCALES_AT)] + i)] + max(fabs(x[u(i)]), fabs(trial[u(i)]))
+        total += floats[u(weights + j)] * work.rows[u(row_of(j, states) + i)]
+    size = floats[u(ints[u(SCALES_AT)] + i)] + max(fabs(work.x[u(i)]), fabs(work.trial[u(i)]))
     error: float = fabs(h * total) / (floats[u(ints[u(STEP_AT)] + RTOL)] * size)
     return error
 
 
 @inlined
-def error_of(h: float, ints: Ints, floats: Floats, x: Floats, trial: Floats, work: Floats) -> float:
+def error_of(work: Work, h: float) -> float:
     """Return the largest error estimate of a step in units of the tolerance, infinite where one is NaN."""
     worst = 0.0
-    for i in range(ints[u(TRUE_STATES)]):
-        error = error_of_state(i, h, ints, floats, x, trial, work)
+    for i in range(work.ints[u(TRUE_STATES)]):
+        error = error_of_state(work, h, i)
         if not error <= worst:
             worst = inf if isnan(error) else error
     return worst
 
 
-@kernel
-def worst_state(h: float, ints: Ints, floats: Floats, x: Floats, trial: Floats, work: Floats) -> int:
+@flat
+def worst_state(work: Work, h: float) -> int:
     """Return the state with the largest error estimate of a step, one that is NaN before all."""
     worst, which = -1.0, 0
-    for i in range(ints[u(TRUE_STATES)]):
-        error = error_of_state(i, h, ints, floats, x, trial, work)
+    for i in range(work.ints[u(TRUE_STATES)]):
+        error = error_of_state(work, h, i)
         if isnan(error):
             return i
         if error > worst:

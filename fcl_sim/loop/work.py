@@ -1,19 +1,47 @@
-"""The buffers in which an integration works, and the words in them.
+"""What the kernels of an integration hand to each other."""
 
-`ints` and `floats` are the tape (`loop.layout`), x (states,) the state, `held`
-the plant's inputs as written, p its parameters. Arrays for the plant's
-functions to fill: `dx` and `trial` (states,), `g0` and `g1` (events,), the
-events' functions at the beginning and at the end of a step. They are handed on
-one by one: taken out of a tuple, each would be counted in and out at every call.
-"""
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fcl_sim.jit import inlined
+from fcl_sim.plant.functions import PlantFunction
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
+
+
+class Plant(NamedTuple):
+    """The plant's functions that an integration calls."""
+
+    dynamics: PlantFunction
+    events: PlantFunction
+    transition: PlantFunction
+
+
+class Work(NamedTuple):
+    """The tape, the state of an integration, and the arrays it works in.
+
+    `ints` and `floats` are the tape (`loop.layout`). State: `x` (states,),
+    `held` the plant's inputs as written, `p` its parameters, `progress` the
+    words below, `rows` the step to try next and a table of derivatives. Arrays
+    for the plant's functions to fill: `dx` and `trial` (states,), `g0` and `g1`
+    (events,), the events' functions at the beginning and at the end of a step.
+    """
+
+    ints: Ints
+    floats: Floats
+    x: Floats
+    held: Floats
+    p: Floats
+    progress: Ints
+    rows: Floats
+    dx: Floats
+    trial: Floats
+    g0: Floats
+    g1: Floats
+
 
 MODE, ARMED, STATUS, INDEX, HAPPENED, PROGRESS = range(6)
 """Words of `progress`, and their number.
@@ -22,19 +50,21 @@ Mode; a bit per event, set while it is armed; how the integration ended and of
 what; events since the last write.
 """
 
-GUESS, ROWS_AT = 0, 4
-"""Words of `work`: the step to try next in seconds; from ROWS_AT on rows of `states` numbers."""
-BASE = 0
-"""The row in which a point is made ready but for its newest derivative; row 1 + j is derivative j."""
+GUESS, BASE_AT = 0, 4
+"""Words of `rows`: the step to try next in seconds; from BASE_AT on rows of `states` numbers.
+
+The first is the base, a point made ready but for its newest derivative; the
+others are the derivatives of a step.
+"""
 
 
 @inlined
 def row_of(derivative: int, states: int) -> int:
-    """Return where in `work` a derivative begins."""
-    return ROWS_AT + (1 + derivative) * states
+    """Return where in `rows` a derivative begins."""
+    return BASE_AT + (1 + derivative) * states
 
 
 @inlined
-def work_size(stages: int, states: int) -> int:
-    """Return the number of words of `work`."""
-    return ROWS_AT + (2 + stages) * states
+def rows_size(stages: int, states: int) -> int:
+    """Return the number of words of `rows`."""
+    return row_of(stages + 1, states)
