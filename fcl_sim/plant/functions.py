@@ -80,7 +80,8 @@ class PlantFunctions:
 
     def _compiled(self, part: str) -> PlantFunction:
         try:
-            return getattr(self, part).compile()  # type: ignore[no-any-return]  PARTS names the entries above
+            entry: Entry = getattr(self, part)
+            return entry.compile()
         except CompileError as error:
             reason = str(error).strip().splitlines()
             message = f"`{part}` cannot be compiled: " + next((each for each in reason if each.strip()), "")
