@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Protocol
 
 from fcl_sim.diagnostics import Diagnostic, Place, Severity, Source, Span, nearest
@@ -106,8 +107,7 @@ class Findings:
         self._hints += 1
         if self._hints > MOST_HINTS or len(name) > LONGEST_NAME:
             return None
-        candidates = [each for each in known if abs(len(each) - len(name)) <= len(name)]
-        return nearest(name, candidates[:MOST_NAMES])
+        return nearest(name, islice(known, MOST_NAMES))
 
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """Return what was found."""

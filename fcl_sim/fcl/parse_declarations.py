@@ -61,6 +61,8 @@ def _declaration(cursor: Cursor) -> list[Declaration]:
     initial: Number | None = None
     try:
         cursor.expect(":", "the name of the variable", instead=(":=", "="))
+        if _is_declared(cursor):
+            raise cursor.stray("a data type is expected", code="FCL209")
         type_name = cursor.name("a data type")
         if cursor.token.key in {":=", ":", "="}:
             cursor.expect(":=", "the data type", instead=(":", "="))

@@ -69,7 +69,8 @@ def _initial(scope: Scope, data_type: DataType, number: Number) -> float | None:
         message = f"a truth value cannot be the initial value of a variable of type {data_type}"
         scope.findings.error("FCL306", message, number)
         return None
-    if number.value.is_integer() and limits[0] <= number.value <= limits[1]:
+    # Compared as binary64: the largest LINT is no number of that kind, its neighbour stands for it.
+    if number.value.is_integer() and float(limits[0]) <= number.value <= float(limits[1]):
         return number.value
     shown = scope.findings.span(number).text
     held = (

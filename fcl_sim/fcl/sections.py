@@ -101,7 +101,7 @@ def guess(cursor: Cursor, opening: Token, end: str, readers: Mapping[str, Reader
     message = f"{token.shown} does not begin a statement of {opening.key}"
     if token.key in _HOMES:
         raise cursor.refuse("FCL204", message, token, hint=f"{token.key} stands in {_HOMES[token.key]}")
-    meant = cursor.findings.near(token.key, readers) if token.kind is Kind.NAME else None
+    meant = cursor.findings.near(token.key, readers)
     if meant is None:
         raise cursor.refuse("FCL204", message, token, hint=f"valid here: {listed([*readers, end])}")
     cursor.findings.error("FCL204", message, token, hint=f"did you mean {meant}?")

@@ -209,6 +209,13 @@ def test_a_declaration_that_cannot_be_read_keeps_its_name(name):
     assert codes(changed((f"{name}: REAL", f"{name}: "))) == ["FCL209"]
 
 
+def test_a_declaration_that_stops_does_not_swallow_the_next():
+    text = changed(("    temp: REAL;\n", "    temp:\n"))
+    (diagnostic,) = fcl.read(text).diagnostics
+    assert diagnostic.message == "a data type is expected, but the line ends"
+    assert codes(changed(("    temp: REAL;\n", "    temp: REAL :=\n"))) == ["FCL201"]
+
+
 def slips(text):
     """Yield a text for each word, without it and with a wrong letter at its end."""
     tokens = fcl.scan(tree(text).source).tokens[:-1]

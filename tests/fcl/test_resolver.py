@@ -77,6 +77,11 @@ def test_an_undeclared_name_that_is_like_no_other_is_reported_with_those_there_a
     )
 
 
+def test_a_name_of_any_length_is_quoted_in_forty_letters():
+    (diagnostic,) = fcl.read(with_rule(f"RULE 1: IF {'x' * 5000} IS cold THEN valve IS inlet;")).diagnostics
+    assert diagnostic.message == f"`{'x' * 40}…` is not declared"
+
+
 def test_a_clash_shows_both_places():
     assert drawn(changed(("    level: REAL;", "    level: REAL;\n    Level: INT;"))) == (
         "bath.fcl:5:5: error[FCL301]: `level` is declared twice\n"
@@ -134,6 +139,13 @@ def test_an_initial_value_lies_in_the_range_of_its_type(data_type, least, larges
         assert codes(changed(("level: REAL", f"level: {data_type} := {value}"))) == expected
 
 
+def test_the_longest_integers_are_read_to_their_ends():
+    for data_type, value in (("LINT", -(2**63)), ("LINT", 2**63 - 1), ("ULINT", 2**64 - 1)):
+        assert codes(changed(("level: REAL", f"level: {data_type} := {value}"))) == []
+    for data_type, value in (("LINT", -(2**64)), ("LINT", 2**64), ("ULINT", -1), ("ULINT", 2**65)):
+        assert codes(changed(("level: REAL", f"level: {data_type} := {value}"))) == ["FCL306"]
+
+
 def test_several_names_share_a_declaration():
     found = block(changed(("temp: REAL;\n    level: REAL;", "temp, level: LREAL := 2;")))
     assert [(each.name, each.type, each.initial) for each in found.inputs] == [
@@ -179,7 +191,12 @@ def test_operators_that_are_no_pair_are_read_with_a_warning(and_operator, or_ope
 
 def test_what_is_missing_is_chosen_and_said():  # S11
     text = changed(("    METHOD: CoGS;\n", ""), ("    DEFAULT := 0;\n", ""), ("    ACCU: MAX;\n", ""))
-    assert codes(text) == ["FCL334", "FCL335", "FCL341"]
+    diagnostics = fcl.read(text).diagnostics
+    assert [(each.code, each.places[0].span.text) for each in diagnostics] == [
+        ("FCL334", "valve"),
+        ("FCL335", "valve"),
+        ("FCL341", "No1"),
+    ]
     found = block(text)
     assert found.defuzzifications[0].method is Method.COGS
     assert found.defuzzifications[0].default is None

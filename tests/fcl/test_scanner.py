@@ -95,6 +95,7 @@ def test_comments_are_kept_apart(comment):  # S13
 def test_an_unclosed_comment_is_an_error_at_its_opening(comment):  # S13
     (diagnostic,) = scan(Source("t", f"one\n  {comment}")).diagnostics
     assert diagnostic.code == "FCL110"
+    assert diagnostic.hint == ("close it with `*)`" if comment[0] == "(" else "close it with `*/`")
     span = diagnostic.places[0].span
     assert (span.line, span.column, span.text) == (2, 3, comment[:2])
 
