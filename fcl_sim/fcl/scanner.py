@@ -14,8 +14,8 @@ _PATTERN = re.compile(
       | ((?:[0-9][0-9_]*+(?:\.(?!\.)[0-9_]*+)?|\.[0-9][0-9_]*+)(?:[eE][+\-]?[0-9][0-9_]*+)?)(?![\w\#]|\.\w)
       | (:=|\.\.|[:;,).=+\-^|]|\((?!\*)|/(?![/*])|\*(?!\)))
       | (\(\*.*?(?:\*\)|\Z)|/\*.*?(?:\*/|\Z)|//[^\n]*+)
-      | ((?:[^\W\d]|[0-9])\w*+\#(?:[+\-](?=\w))?(?:[\w\#]|\.(?=[\w])|(?<=[eE])[+\-](?=[0-9]))*+)
-      | ([0-9]\w*+(?:\.\w++)*+)
+      | ((?:[^\W\d]|[0-9])\w*+\#(?:[+\-](?=\w))?(?:[\w\#]|\.(?=[\w])|(?<=[eE])[+\-](?=[0-9]))*)
+      | ([0-9]\w*+(?:\.\w++)*)
       | (\*\))
       | ([^\s\w\ufeff:;,().=+\-*/^|]++|.)
       | \Z
@@ -24,7 +24,8 @@ _PATTERN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 """One match is one token with the space before it. No part of it can be matched in two ways,
-so scanning takes time in proportion to the text, whatever the text."""
+so scanning takes time in proportion to the text, whatever the text. Groups are not repeated
+possessively: Python before 3.11.5 then loses their last character."""
 
 _NAME, _NUMBER, _SYMBOL, _COMMENT, _LITERAL, _MIXED, _COMMENT_END, _STRAY = range(1, 9)
 _KINDS = {
