@@ -1,6 +1,7 @@
 """The verdicts of a run, on a terminal of any width."""
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 
 from rich.console import Console
 from rich.table import Table
@@ -10,56 +11,46 @@ from fcl_sim.judge.verdict import Status
 from fcl_sim.report.summary import Row
 
 HEADINGS = ("scenario", "variant", "requirement", "asked", "measured", "verdict")
-MEASURED = HEADINGS.index("measured")
+OF_RUN = 2
+"""How many columns say which run it is; the rest is about the requirement."""
+MEASURED = "measured"
 GAP = 2
 
 COLOURS = {Status.PASS: "green", Status.FAIL: "red", Status.FAULT: "red"}
 OTHER_COLOUR = "yellow"
 
+Cells = Sequence[Sequence[Text]]
+
 
 def print_verdicts(rows: Sequence[Row], console: Console) -> None:
     """Print every verdict: scenario, variant, requirement, what is asked, what was measured, verdict.
 
-    A row each where the terminal is wide enough for all of them, else a few lines each.
+    In one table where the terminal is wide enough, else in one for each run,
+    else in lines.
     """
     cells = [_cells(row, *heading) for row, heading in zip(rows, _headings(rows), strict=True)]
-    if _width(cells) > console.width:
-        for row, heading in zip(rows, _headings(rows), strict=True):
-            console.print(Text("\n").join(_lines(row, *heading)))
-    elif rows:
-        console.print(_table(cells))
+    about = [row[OF_RUN:] for row in cells]
+    if rows and sum(_widths(HEADINGS, cells)) <= console.width:
+        console.print(_table(HEADINGS, _widths(HEADINGS, cells), cells))
+        return
+    widths = _widths(HEADINGS[OF_RUN:], about)
+    for (scenario, variant), run in groupby(zip(rows, about, strict=True), key=_run):
+        console.print(Text(f"{scenario}  {variant}", style="bold"))
+        if sum(widths) <= console.width:
+            part = [each for _, each in run]
+            console.print(_table(HEADINGS[OF_RUN:], widths, part, show_header=False))
+        else:
+            for row, _ in run:
+                console.print(Text(f"  {row.id}: ").append_text(_verdict(row)))
+                console.print(Text(f"    {row.value}, {row.bound}"))
+
+
+def _run(pair: tuple[Row, Sequence[Text]]) -> tuple[str, str]:
+    return pair[0].scenario, pair[0].variant
 
 
 def _cells(row: Row, scenario: str, variant: str) -> list[Text]:
     return [*(Text(cell) for cell in (scenario, variant, row.id, row.bound, row.value)), _verdict(row)]
-
-
-def _width(cells: Sequence[Sequence[Text]]) -> int:
-    """Return how many columns the table takes."""
-    columns = zip(*cells, strict=True)
-    widest: list[int] = [
-        max(len(heading), *(cell.cell_len for cell in column))
-        for heading, column in zip(HEADINGS, columns, strict=False)
-    ]
-    return sum(widest) + GAP * len(HEADINGS)
-
-
-def _table(cells: Sequence[Sequence[Text]]) -> Table:
-    table = Table(box=None, pad_edge=False, padding=(0, GAP, 0, 0), header_style="bold")
-    for index, heading in enumerate(HEADINGS):
-        table.add_column(heading, justify="right" if index == MEASURED else "left", no_wrap=True)
-    for row in cells:
-        table.add_row(*row)
-    return table
-
-
-def _lines(row: Row, scenario: str, variant: str) -> Iterator[Text]:
-    if scenario:
-        yield Text(scenario, style="bold")
-    if variant:
-        yield Text(f"  {variant}")
-    yield Text(f"    {row.id}: ").append_text(_verdict(row))
-    yield Text(f"      {row.value}, {row.bound}")
 
 
 def _headings(rows: Sequence[Row]) -> Iterator[tuple[str, str]]:
@@ -69,6 +60,30 @@ def _headings(rows: Sequence[Row]) -> Iterator[tuple[str, str]]:
         here = (row.scenario, row.variant)
         yield ("" if here[0] == above[0] else here[0]), ("" if here == above else here[1])
         above = here
+
+
+def _widths(headings: Sequence[str], cells: Cells) -> list[int]:
+    """Return how many columns of the terminal each column of the table takes, the gap behind it included."""
+    columns = zip(*cells, strict=True)
+    return [
+        max(len(heading), *(cell.cell_len for cell in column)) + GAP
+        for heading, column in zip(headings, columns, strict=False)
+    ]
+
+
+def _table(
+    headings: Sequence[str], widths: Sequence[int], cells: Cells, *, show_header: bool = True
+) -> Table:
+    table = Table(
+        box=None, pad_edge=False, padding=(0, GAP, 0, 0), header_style="bold", show_header=show_header
+    )
+    for heading, width in zip(headings, widths, strict=True):
+        table.add_column(
+            heading, justify="right" if heading == MEASURED else "left", no_wrap=True, min_width=width - GAP
+        )
+    for row in cells:
+        table.add_row(*row)
+    return table
 
 
 def _verdict(row: Row) -> Text:

@@ -46,16 +46,26 @@ def test_a_wide_terminal_shows_a_row_for_each_verdict_and_says_scenario_and_vari
     ]
 
 
+def test_a_terminal_of_eighty_columns_shows_a_table_for_each_run():
+    assert printed(ROWS, 80) == [
+        "crane/transfer  base",
+        "CR-1         at most 35 s    18.4 s  PASS",
+        "CR-2         at most 35 s    18.4 s  FAIL",
+        "crane/transfer  raw_distance",
+        "CR-1         at most 35 s    18.4 s  PASS (not met, as expected)",
+        "crane/printed  base",
+        "CR-1         at most 35 s    18.4 s  FAULT",
+    ]
+
+
 def test_a_narrow_terminal_shows_the_same_in_lines():
     assert printed(ROWS[2:], 40) == [
-        "crane/transfer",
-        "  raw_distance",
-        "    CR-1: PASS (not met, as expected)",
-        "      18.4 s, at most 35 s",
-        "crane/printed",
-        "  base",
-        "    CR-1: FAULT",
-        "      18.4 s, at most 35 s",
+        "crane/transfer  raw_distance",
+        "  CR-1: PASS (not met, as expected)",
+        "    18.4 s, at most 35 s",
+        "crane/printed  base",
+        "  CR-1: FAULT",
+        "    18.4 s, at most 35 s",
     ]
 
 
