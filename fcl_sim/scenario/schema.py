@@ -93,6 +93,9 @@ class ControllerTable(Table):
         {}, description="for each input of the controller, the signal it reads"
     )
     scan: PositiveTime = Field(None, description="scan time instead of the file's")
+    timing: TimingTable = Field(
+        default_factory=TimingTable, description="what differs from the file's timing"
+    )
     blocks: dict[str, Any] = Field({}, description="what differs from the file's blocks")
     outputs: dict[str, WireText] = Field({}, description="what differs from the file's outputs")
 
@@ -114,6 +117,7 @@ class ControllerFile(Table):
     title: Filled = Field(None, description="one line for people")
     description: Text = Field("", description="what a reader should know")
     scan: PositiveTime = Field(description="scan time")
+    timing: TimingTable = Field(default_factory=TimingTable, description="latency, jitter and cycle time")
     blocks: dict[Name, BlockTable] = Field(description="the blocks, by name")
     inputs: dict[Name, UnitText] = Field(description="the inputs, each with its unit")
     outputs: dict[Name, WireText] = Field(description="the outputs, each with the signal it gives out")
@@ -129,7 +133,7 @@ class ScenarioFile(Table):
     controller: ControllerTable | None = Field(None, description="the controller")
     blocks: dict[Name, BlockTable] = Field({}, description="blocks that stand outside the controller")
     plant: PlantTable = Field(description="the plant")
-    timing: TimingTable = Field(default_factory=TimingTable, description="latency, jitter and cycle time")
+    timing: TimingTable = Field(default_factory=TimingTable, description="timing, laid over the controller's")
     integration: IntegrationTable = Field(
         default_factory=IntegrationTable, description="integration of the plant"
     )

@@ -17,7 +17,7 @@ from fcl_sim.scenario.variants import without_unknown_blocks
 
 Faults = list[Diagnostic]
 
-LAID_OVER = ("scan", "blocks", "outputs")
+LAID_OVER = ("scan", "timing", "blocks", "outputs")
 """What [controller] lays over the controller file; `file` and `inputs` it says for itself."""
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place
 from fcl_sim.loop import clock
 from fcl_sim.loop.diagram import Integration, Timing
-from fcl_sim.scenario.tree import Entry, finding
+from fcl_sim.scenario.tree import Entry, finding, overlaid
 from fcl_sim.units import nanoseconds, parse_quantity
 
 
@@ -15,29 +15,37 @@ def timing_of(tree: Entry, controller: Entry | None) -> tuple[Timing | None, lis
     duration = tree.get("duration")
     if scan is None or duration is None:
         return None, faults
-    table = tree.get("timing")
-    seed = table.get("seed") if table else None
-    cycle = table.get("cycle_time") if table else None
+    table = _table(tree, controller)
+    seed, cycle = table.get("seed"), table.get("cycle_time")
     timing = Timing(
         scan=_ticks(scan),
         duration=_ticks(duration),
-        latency=_ticks(table.get("latency") if table else None),
-        jitter=_ticks(table.get("jitter") if table else None),
+        latency=_ticks(table.get("latency")),
+        jitter=_ticks(table.get("jitter")),
         seed=int(seed.value) if seed else 0,
         measured=cycle is not None and cycle.value == "measured",
     )
     try:
         clock.check(timing)
     except InputFault as fault:
-        return None, [replace(each, places=_places(each, tree, scan)) for each in fault.diagnostics]
+        return None, [replace(each, places=_places(each, table, tree, scan)) for each in fault.diagnostics]
     return timing, faults
 
 
-def _places(fault: Diagnostic, tree: Entry, scan: Entry) -> tuple[Place, ...]:
+def _table(tree: Entry, controller: Entry | None) -> Entry:
+    """Return [timing] of the controller, with the scenario's laid over it."""
+    tables = [each.get("timing") for each in (controller, tree) if each is not None]
+    merged = tree.keeping({})
+    for table in tables:
+        merged = overlaid(merged, table) if table is not None else merged
+    return merged
+
+
+def _places(fault: Diagnostic, table: Entry, tree: Entry, scan: Entry) -> tuple[Place, ...]:
     """Return where the values stand that a fault of the clock speaks of."""
-    named = [tree.get("timing", "latency"), tree.get("timing", "jitter")]
-    others = named if "latency" in fault.message else [tree.get("duration")]
-    return tuple(Place(span=each.span) for each in (*others, scan) if each is not None)
+    late = [table.get("latency"), table.get("jitter")]
+    entries = late if "latency" in fault.message else [tree.get("duration")]
+    return tuple(Place(span=each.span) for each in (*entries, scan) if each is not None)
 
 
 def _scan(tree: Entry, controller: Entry | None) -> tuple[Entry | None, list[Diagnostic]]:

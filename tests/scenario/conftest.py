@@ -20,6 +20,8 @@ FOLDER = Path("scenarios/crane")
 class Bench:
     """The current folder is the bench; files are edited by replacing text."""
 
+    folder: Path
+
     def edit(self, name: str, *edits: tuple[str, str]) -> None:
         file = FOLDER / name
         text = file.read_text("utf-8")
@@ -42,7 +44,7 @@ class Bench:
 def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bench:
     shutil.copytree(shipped_bench() / FOLDER, tmp_path / FOLDER)
     monkeypatch.chdir(tmp_path)
-    return Bench()
+    return Bench(tmp_path)
 
 
 @pytest.fixture

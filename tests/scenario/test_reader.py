@@ -164,6 +164,15 @@ def test_timing_and_integration_are_read(tmp_path):
     assert (setup.integration.scheme, setup.integration.step, setup.integration.rtol) == ("rk4", 0.002, 1e-6)
 
 
+def test_the_timing_of_the_scenario_lies_over_the_controllers(bench):
+    bench.edit(
+        "crane.controller.toml", ("[inputs]", '[timing]\nlatency = "5 ms"\njitter = "10 ms"\n\n[inputs]')
+    )
+    assert (bench.read().base.timing.latency, bench.read().base.timing.jitter) == (5_000_000, 10_000_000)
+    both = bench.read(timing__latency="7 ms", controller__timing__jitter="3 ms").base.timing
+    assert (both.latency, both.jitter) == (7_000_000, 3_000_000)
+
+
 def test_a_byte_order_mark_and_windows_line_ends_are_read(tmp_path):
     file = tmp_path / "small.toml"
     file.write_bytes(b"\xef\xbb\xbf" + SMALL.replace("\n", "\r\n").encode())
