@@ -149,7 +149,8 @@ def _compare(trace: Trace, requirement: Requirement, metric: Metric, cut: Cut) -
         status = Status.PASS if needed <= last and bound.holds(value) else Status.FAIL
         reason = _words(trace, requirement, metric, cut, value)
         if violation is not None and violation[0] < violation[1]:
-            reason += f", first violated from {wording.seconds(violation[0])} to {wording.seconds(violation[1])}"
+            first, until = (wording.seconds(each) for each in violation)
+            reason += f", first violated from {first} to {until}"
     return Finding(
         status=status,
         reason=reason,

@@ -9,7 +9,7 @@ MOST_DIGITS = 17
 
 
 def number(value: float, unit: str = "", near: float | None = None) -> str:
-    """Return `value` to four digits with its unit; to more where it would seem on the wrong side of `near`."""
+    """Return `value` to four digits with its unit; to more where it would seem beyond `near`."""
     digits = DIGITS
     while near is not None and digits < MOST_DIGITS and not _in_place(value, near, digits):
         digits += 1
