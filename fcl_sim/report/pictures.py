@@ -31,7 +31,7 @@ def all_runs(outcome: Outcome) -> list[Picture]:
         Picture(
             name=numbered("all-runs", index, len(parted)),
             caption="Judged signals, all runs overlaid. Bands are what the requirements allow, dashed lines "
-            "their bounds; a bar at the upper edge marks where the run of its colour violates one.",
+            "their bounds; the bars at the upper edge, in the legend's order, mark where a run violates one.",
             alt=alt.of_runs(runs, page),
             draw=partial(time_plot, runs, page),
         )

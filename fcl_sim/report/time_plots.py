@@ -32,6 +32,9 @@ TALLEST = 212.0
 SQUEEZE = 0.72
 """Axes are made lower by this at most to save a page."""
 
+STRETCH = 1.6
+"""Axes of several runs are made higher by this at most, where there is room."""
+
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
 
@@ -134,13 +137,13 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
         above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
         fixed = top + sum(above) + (len(shown) - 1) * GAP + room_below("time [s]")
         whole = sum(lane.height for lane in shown)
-        squeeze = min(1.0, max(SQUEEZE, (TALLEST - fixed) / whole))
-        figure = style.blank(fixed + squeeze * whole)
+        scale = max(SQUEEZE, min(STRETCH if labels else 1.0, (TALLEST - fixed) / whole))
+        figure = style.blank(fixed + scale * whole)
         draw_legend(figure, labels)
         end = max(run.duration for run in runs)
         for lane, texts, heading in zip(shown, headings, above, strict=True):
             top += heading
-            height = squeeze * lane.height
+            height = scale * lane.height
             axes = style.place(figure, LEFT, top, ACROSS, height)
             axes.set_xlim(0.0, end)
             _draw_lane(axes, lane, runs)

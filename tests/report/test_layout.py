@@ -1,0 +1,63 @@
+"""The pages: nothing runs out of the text column, whatever names are like."""
+
+import io
+import json
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+from fcl_sim.judge.verdict import Status
+from fcl_sim.report import results, typeset
+from fcl_sim.report.content import report_data
+from fcl_sim.report.writer import RESULTS, Shelf
+from tests.report.synthetic import CRANE, EVIL, LONG, outcome, run, trace, verdict
+
+PPI = 36
+MARGIN, SLACK = 22.0, 1.5
+"""Side margin in mm, and how far a stroke may reach into it."""
+
+
+def pages(outcomes, work) -> list[np.ndarray]:
+    """Return the pages of a report as pictures (rows, columns) of grey from 0 to 1."""
+    shelf = Shelf()
+    (work / "report.json").write_text(json.dumps(report_data(outcomes, shelf.add)), encoding="utf-8")
+    (work / RESULTS).write_text(results.text(outcomes), encoding="utf-8")
+    shelf.draw(work, lambda done, total: None)
+    template = typeset.files("fcl_sim.report").joinpath("report.typ").read_bytes()
+    drawn = typeset._compiler(work).compile(template, format="png", ppi=PPI)
+    return [imread(io.BytesIO(page))[..., :3].mean(axis=2) for page in drawn]
+
+
+def plain(folder):
+    return [
+        outcome(folder, run(folder), run(folder, "raw_distance", "swings"), run(folder, "early", "fault"))
+    ]
+
+
+def long_names(folder):
+    name = LONG + LONG.replace("_", "").replace(".", "").replace("/", "")
+    odd = run(
+        folder,
+        title=name,
+        trace=trace(names=(name, "crane.sway", EVIL, "controller.rules.power")),
+        verdicts=(verdict(Status.FAIL, 1e-300, id=name, text=name, signal=name, unit=f"kN {EVIL}"),),
+    )
+    given = {"name": name, "title": name, "description": name, "fcl": f"{CRANE}(* {name}{name}{name} *)"}
+    return [outcome(folder, odd, overrides={name: name}, **given), *plain(folder)]
+
+
+def many(folder):
+    runs = [run(folder, f"run_{index}", "swings") for index in range(4)]
+    return [outcome(folder, run(folder), *runs)]
+
+
+@pytest.mark.parametrize("made", [plain, long_names, many])
+def test_nothing_stands_in_the_margins(made, tmp_path):
+    inputs, work = tmp_path / "inputs", tmp_path / "work"
+    inputs.mkdir()
+    work.mkdir()
+    edge = int((MARGIN - SLACK) / 25.4 * PPI)
+    for page in pages(made(inputs), work):
+        assert page[:, :edge].min() > 0.99
+        assert page[:, -edge:].min() > 0.99
