@@ -4,19 +4,20 @@ Imports nothing of the engine, only the model's nouns. Every number is exact:
 a float stands for the binary fraction that it is. Rules cited as in SEMANTICS.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import pairwise
 
 from fcl_sim.model import (
     Accumulation,
     And,
     AndOperator,
     Condition,
+    Defuzzification,
     Degree,
     FunctionBlock,
     Is,
+    Method,
     Not,
     Or,
     OrOperator,
@@ -24,85 +25,154 @@ from fcl_sim.model import (
     RuleBlock,
     Singleton,
 )
+from tests.oracle_areas import Area, Contribution, accumulated_area, defuzzified, degree_at
 
 ZERO, ONE = Fraction(0), Fraction(1)
 
 
 @dataclass(frozen=True)
+class Result:
+    """A conclusion of a rule, in the order of the text."""
+
+    block: int
+    variable: str
+    term: str | None
+    degree: Fraction
+    weight: Fraction
+
+
+@dataclass(frozen=True)
 class Opinion:
-    """What one evaluation gives: degrees by (variable, term), rules in the order of the text, outputs."""
+    """What one evaluation gives: degrees by (variable, term), rules in the order of the text, outputs.
+
+    `areas` are the accumulated membership functions of outputs with areas on which a rule fired.
+    """
 
     terms: Mapping[tuple[str, str], Fraction]
     rules: tuple[Fraction, ...]
-    accumulated: Mapping[tuple[str, str], Fraction]
+    accumulated: Mapping[tuple[str, str | None], Fraction]
     outputs: Mapping[str, Fraction]
     active: Mapping[str, bool]
+    areas: Mapping[str, Area]
+    places: Mapping[str, tuple[Fraction, ...]]
 
 
 def evaluate(
     block: FunctionBlock, values: Mapping[str, float], previous: Mapping[str, float] | None = None
 ) -> Opinion:
-    """Evaluate a block whose outputs have singletons; NC gives `previous`, else the initial value."""
+    """Evaluate a block; NC gives `previous`, else the initial value."""
     inputs = {each.name: Fraction(values.get(each.name, each.initial or 0)) for each in block.inputs}
     terms = {
-        (fuzzification.variable, term.name): membership(term.shape, inputs[fuzzification.variable])
+        (fuzzification.variable, term.name): degree_at(
+            ordered(term.shape, inputs), inputs[fuzzification.variable]
+        )
         for fuzzification in block.fuzzifications
         for term in fuzzification.terms
     }
-    rules = tuple(
-        aggregate(rule.condition, rule_block, terms, inputs)
-        for rule_block in block.rule_blocks
-        for rule in rule_block.rules
-    )
-    results = weighted_results(block, rules, inputs)
-    accumulated, outputs, active = {}, {}, {}
-    for output in block.defuzzifications:
-        names = [term.name for term in output.terms]
-        degrees = accumulate(block, output.variable, names, results)
-        accumulated.update({(output.variable, name): degrees[name] for name in names})
-        active[output.variable] = any(degrees.values())
-        if active[output.variable]:
-            outputs[output.variable] = centre(output.terms, degrees)
-        elif output.default is not None:
-            outputs[output.variable] = Fraction(output.default)
-        else:
-            initial = next(each.initial for each in block.outputs if each.name == output.variable)
-            outputs[output.variable] = Fraction((previous or {}).get(output.variable, initial or 0))
-    return Opinion(terms, rules, accumulated, outputs, active)
+    rules: list[Fraction] = []
+    results: list[Result] = []
+    for number, rule_block in enumerate(block.rule_blocks):
+        for rule in rule_block.rules:
+
+            def degree_of(leaf: Is | Degree) -> Fraction:
+                return subcondition(block, leaf, terms, inputs, results)
+
+            degree = aggregate(rule.condition, rule_block, degree_of)
+            rules.append(degree)
+            for each in rule.conclusions:
+                text = isinstance(each.weight, str)
+                weight = clamp(inputs[each.weight]) if text else Fraction(each.weight)
+                results.append(Result(number, each.variable, each.term, degree, weight))
+    accumulated, outputs, active, areas, places = {}, {}, {}, {}, {}
+    by_name = {each.variable: each for each in block.defuzzifications}
+    for variable in block.outputs:
+        name = variable.name
+        degrees = accumulate(block, name, results)
+        accumulated.update({(name, term): degree for term, degree in degrees.items()})
+        active[name] = any(degrees.values())
+        if name not in by_name:
+            if degrees:
+                outputs[name] = degrees[None]  # S28
+            continue
+        output = by_name[name]
+        singletons = all(isinstance(term.shape, Singleton) for term in output.terms)
+        if active[name] and singletons:
+            places[name] = tuple(number_of(term.shape.value, inputs) for term in output.terms)
+            outputs[name] = of_singletons(output.method, places[name], [*degrees.values()])
+        elif active[name]:
+            areas[name] = area_of(block, output, results, inputs)
+            active[name] = areas[name].content > 0  # S31
+            if active[name]:
+                outputs[name] = defuzzified(output.method, areas[name])
+        if not active[name]:
+            before = Fraction((previous or {}).get(name, variable.initial or 0))
+            outputs[name] = before if output.default is None else Fraction(output.default)
+    return Opinion(terms, tuple(rules), accumulated, outputs, active, areas, places)
 
 
-def membership(shape: Points, x: Fraction) -> Fraction:
-    """Return the degree of `x` (5.2.2)."""
-    points = [(Fraction(point.x), Fraction(point.degree)) for point in shape.points]
-    here = [degree for at, degree in points if at == x]
-    if here:
-        return max(here)  # S21
-    if x < points[0][0]:
-        return points[0][1]  # S20
-    if x > points[-1][0]:
-        return points[-1][1]
-    (left, low), (right, high) = next((a, b) for a, b in pairwise(points) if a[0] < x < b[0])
-    return low + (high - low) * (x - left) / (right - left)
+def number_of(value: float | str, inputs: Mapping[str, Fraction]) -> Fraction:
+    return inputs[value] if isinstance(value, str) else Fraction(value)
+
+
+def ordered(shape: Points, inputs: Mapping[str, Fraction]) -> tuple[tuple[Fraction, Fraction], ...]:
+    """Return the base points with each abscissa taken as the largest so far (S22)."""
+    points: list[tuple[Fraction, Fraction]] = []
+    for point in shape.points:
+        x = number_of(point.x, inputs)
+        points.append((max([x, *(before for before, _ in points)]), Fraction(point.degree)))
+    return tuple(points)
+
+
+def area_of(
+    block: FunctionBlock, output: Defuzzification, results: list[Result], inputs: Mapping[str, Fraction]
+) -> Area:
+    shapes = {term.name: ordered(term.shape, inputs) for term in output.terms}
+    if output.range is None:  # S32
+        abscissae = [x for points in shapes.values() for x, _ in points]
+        limits = min(abscissae), max(abscissae)
+    else:
+        limits = Fraction(output.range[0]), Fraction(output.range[1])
+    own = [each for each in results if each.variable == output.variable]
+    contributions = [
+        Contribution(
+            each.block, block.rule_blocks[each.block].activation, each.degree, each.weight, shapes[each.term]
+        )
+        for each in own
+        if each.degree * each.weight > 0
+    ]
+    algorithms = {each.block: block.rule_blocks[each.block].accumulation for each in own}
+    return accumulated_area(contributions, algorithms, limits)
 
 
 def clamp(degree: Fraction) -> Fraction:
     return min(ONE, max(ZERO, degree))  # S27
 
 
-def aggregate(
-    condition: Condition,
-    operators: RuleBlock,
+def subcondition(
+    block: FunctionBlock,
+    leaf: Is | Degree,
     terms: Mapping[tuple[str, str], Fraction],
     inputs: Mapping[str, Fraction],
+    results: list[Result],
+) -> Fraction:
+    """Return the degree of a subcondition; of what rules conclude, what those before have accumulated."""
+    term = leaf.term if isinstance(leaf, Is) else None
+    if (leaf.variable, term) in terms:
+        return terms[leaf.variable, term]
+    if leaf.variable in inputs:
+        return clamp(inputs[leaf.variable])
+    return accumulate(block, leaf.variable, results)[term]  # S27a, S29
+
+
+def aggregate(
+    condition: Condition, operators: RuleBlock, degree_of: Callable[[Is | Degree], Fraction]
 ) -> Fraction:
     """Return the degree of accomplishment of a condition (Table 3)."""
-    if isinstance(condition, Is):
-        return terms[condition.variable, condition.term]
-    if isinstance(condition, Degree):
-        return clamp(inputs[condition.variable])
+    if isinstance(condition, Is | Degree):
+        return degree_of(condition)
     if isinstance(condition, Not):
-        return 1 - aggregate(condition.argument, operators, terms, inputs)
-    first, *others = (aggregate(each, operators, terms, inputs) for each in condition.arguments)
+        return 1 - aggregate(condition.argument, operators, degree_of)
+    first, *others = (aggregate(each, operators, degree_of) for each in condition.arguments)
     for other in others:
         if isinstance(condition, And):
             first = conjunction(operators.and_operator, first, other)
@@ -127,36 +197,26 @@ def disjunction(operator: OrOperator, a: Fraction, b: Fraction) -> Fraction:
     return min(ONE, a + b)
 
 
-def weighted_results(
-    block: FunctionBlock, rules: tuple[Fraction, ...], inputs: Mapping[str, Fraction]
-) -> list[tuple[int, str, str, Fraction]]:
-    """Return (rule block, output, term, weight times degree) of every conclusion (A.15, S24)."""
-    results = []
-    degrees = iter(rules)
-    for number, rule_block in enumerate(block.rule_blocks):
-        for rule in rule_block.rules:
-            degree = next(degrees)
-            for each in rule.conclusions:
-                text = isinstance(each.weight, str)
-                weight = clamp(inputs[each.weight]) if text else Fraction(each.weight)
-                results.append((number, each.variable, each.term, weight * degree))
-    return results
+def accumulate(block: FunctionBlock, variable: str, results: list[Result]) -> dict[str | None, Fraction]:
+    """Return the degree of each term: together where the rule blocks agree on ACCU, else per block (S26).
 
-
-def accumulate(
-    block: FunctionBlock, variable: str, terms: list[str], results: list[tuple[int, str, str, Fraction]]
-) -> dict[str, Fraction]:
-    """Return the degree of each term: together where the rule blocks agree on ACCU, else per block (S26)."""
-    own = [each for each in results if each[1] == variable]
-    numbers = sorted({number for number, *_ in own})
-    algorithms = [block.rule_blocks[number].accumulation for number in numbers]
-    if len(set(algorithms)) <= 1:
-        groups = [(algorithms[0], own)] if own else []
+    A variable without terms has the one term None. What the rule blocks agree
+    on is asked of all rules, also of those still to come.
+    """
+    own = [each for each in results if each.variable == variable]
+    concluding = [
+        (number, each.accumulation)
+        for number, each in enumerate(block.rule_blocks)
+        if any(then.variable == variable for rule in each.rules for then in rule.conclusions)
+    ]
+    if len({algorithm for _, algorithm in concluding}) <= 1:
+        groups = [(algorithm, own) for _, algorithm in concluding[:1]]
     else:
         groups = [
-            (algorithm, [each for each in own if each[0] == number])
-            for number, algorithm in zip(numbers, algorithms, strict=True)
+            (algorithm, [each for each in own if each.block == number]) for number, algorithm in concluding
         ]
+    defined = [each.terms for each in block.defuzzifications if each.variable == variable]
+    terms = [term.name for term in defined[0]] if defined else [None] if concluding else []
     degrees = dict.fromkeys(terms, ZERO)
     for algorithm, group in groups:
         for term, degree in combine(algorithm, terms, group).items():
@@ -165,10 +225,10 @@ def accumulate(
 
 
 def combine(
-    algorithm: Accumulation, terms: list[str], group: list[tuple[int, str, str, Fraction]]
-) -> dict[str, Fraction]:
-    """Return the degree of each term by one algorithm (Table 5)."""
-    by_term = {term: [degree for _, _, name, degree in group if name == term] for term in terms}
+    algorithm: Accumulation, terms: list[str | None], group: list[Result]
+) -> dict[str | None, Fraction]:
+    """Return the degree of each term by one algorithm (Table 5), of singletons or as if of singletons."""
+    by_term = {term: [each.weight * each.degree for each in group if each.term == term] for term in terms}
     if algorithm is Accumulation.MAX:
         return {term: max(degrees, default=ZERO) for term, degrees in by_term.items()}
     sums = {term: sum(degrees, ZERO) for term, degrees in by_term.items()}
@@ -178,8 +238,14 @@ def combine(
     return {term: degree / largest for term, degree in sums.items()}
 
 
-def centre(terms: tuple, degrees: Mapping[str, Fraction]) -> Fraction:
-    """Return CoGS (Table 2)."""
-    assert all(isinstance(term.shape, Singleton) for term in terms)
-    moment = sum(Fraction(term.shape.value) * degrees[term.name] for term in terms)
-    return moment / sum(degrees.values())
+def of_singletons(method: Method, places: tuple[Fraction, ...], degrees: list[Fraction]) -> Fraction:
+    """Return CoGS, or the place of the largest degree that lies farthest left or right (Table 2)."""
+    if method in {Method.COG, Method.COGS}:
+        return sum(place * degree for place, degree in zip(places, degrees, strict=True)) / sum(degrees)
+    highest = [place for place, degree in zip(places, degrees, strict=True) if degree == max(degrees)]
+    if method is Method.LM:
+        return min(highest)
+    if method is Method.RM:
+        return max(highest)
+    assert method is Method.MM
+    return (min(highest) + max(highest)) / 2

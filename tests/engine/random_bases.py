@@ -29,6 +29,9 @@ from fcl_sim.model import (
 INPUTS = ("a", "b", "c")
 DEGREES = ("d", "e")
 OUTPUTS = ("y", "z")
+AND = (AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF)
+OR = (OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM)
+ACCU = (Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM)
 
 
 def random_base(seed: int, rules: int) -> FunctionBlock:
@@ -54,9 +57,9 @@ def random_base(seed: int, rules: int) -> FunctionBlock:
     rule_blocks = tuple(
         RuleBlock(
             name=name,
-            and_operator=random.choice(list(AndOperator)[: 2 if plain else 3]),
-            or_operator=random.choice(list(OrOperator)),
-            accumulation=random.choice(list(Accumulation)),
+            and_operator=random.choice(AND[: 2 if plain else 3]),
+            or_operator=random.choice(OR),
+            accumulation=random.choice(ACCU),
             rules=tuple(
                 _rule(random, str(n), fuzzifications, defuzzifications, plain=plain) for n in range(count)
             ),
