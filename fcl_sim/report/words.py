@@ -10,6 +10,8 @@ from fcl_sim.judge.verdict import Requirement, Status, Verdict
 MINUS = "\N{MINUS SIGN}"
 NO_BREAK = "\N{NO-BREAK SPACE}"
 
+EXPONENT = re.compile(r"e\+?(-?)0*")
+
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
 """Characters that no page can show: a TOML key or an FCL comment may hold them."""
 
@@ -28,11 +30,7 @@ def number(value: float, digits: int = 4) -> str:
     """Return a number for a reader: `digits` significant figures, a true minus sign, no `-0`."""
     if not math.isfinite(value):
         return "not a number" if math.isnan(value) else f"{MINUS if value < 0 else ''}∞"
-    text = f"{value:.{digits}g}"
-    mantissa, e, exponent = text.partition("e")
-    if e:
-        text = f"{mantissa}e{int(exponent)}"
-    return "0" if float(text) == 0 else text.replace("-", MINUS)
+    return _printed(f"{value:.{digits}g}") if value else "0"
 
 
 def with_unit(value: float, unit: str, digits: int = 4) -> str:
@@ -42,7 +40,12 @@ def with_unit(value: float, unit: str, digits: int = 4) -> str:
 
 def exactly(value: float, unit: str) -> str:
     """Return a number that the user wrote with all its digits, and its unit."""
-    return _joined(wording.exactly(value, "").replace("-", MINUS), unit)
+    return _joined(_printed(wording.exactly(value, "")), unit)
+
+
+def _printed(digits: str) -> str:
+    """Return a number of Python's as it is printed: `1e-05` as `1e−5`."""
+    return EXPONENT.sub(r"e\1", digits).replace("-", MINUS)
 
 
 def _joined(digits: str, unit: str) -> str:
@@ -75,7 +78,7 @@ def value(verdict: Verdict) -> str:
     asked = verdict.requirement
     limits = [each for each in (asked.minimum, asked.maximum) if each is not None]
     near = min(limits, key=lambda each: abs(each - (verdict.value or 0.0)), default=None)
-    return _joined(wording.number(verdict.value, near=near).replace("-", MINUS), asked.unit)
+    return _joined(_printed(wording.number(verdict.value, near=near)), asked.unit)
 
 
 def expectation(verdict: Verdict) -> str:

@@ -70,6 +70,8 @@ def test_a_unit_does_not_part_from_its_number(unit, text):
         (2.0, 2.0, "exactly 2 s"),
         (None, 35.123456789, "at most 35.123456789 s"),
         (None, None, "no bound"),
+        (None, 1e-5, "at most 1e−5 s"),
+        (None, 1e22, "at most 1e22 s"),
     ],
 )
 def test_a_bound_is_told_with_all_its_digits(low, high, text):

@@ -1,9 +1,10 @@
 """Writing: whole or not at all, the same bytes from the same inputs, faults in one message."""
 
 import errno
-import multiprocessing
 import os
 import signal
+import subprocess
+import sys
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from fcl_sim.report import exclusive, write, write_pictures, writer
 from fcl_sim.report.characteristics import characteristic, memberships
 from fcl_sim.report.exclusive import PREFIX, workplace
 from fcl_sim.report.provenance import EPOCH, date_of
+from tests.house.places import ROOT
 from tests.report.synthetic import crane, outcome, run
 
 
@@ -77,20 +79,25 @@ def test_a_given_date_that_is_none_is_one_message(small, monkeypatch, given):
     )
 
 
-def _die_while_drawing(outcomes, place: Path) -> None:
-    def progress(done: int, total: int) -> None:
-        if done == total - 1:
-            os.kill(os.getpid(), signal.SIGKILL)
+DYING = """
+import os, signal, sys
+from pathlib import Path
+from fcl_sim.report import write
+from tests.report.synthetic import outcome, run
 
-    write(outcomes, place, progress)
+def progress(done, total):
+    if done == total - 1:
+        os.kill(os.getpid(), signal.SIGKILL)
+
+inputs, place = map(Path, sys.argv[1:])
+write([outcome(inputs, run(inputs))], place, progress)
+"""
 
 
 def test_a_run_that_is_killed_leaves_nothing_to_be_seen_and_the_next_one_cleans_up(small, tmp_path):
     place = tmp_path / "reports"
-    dying = multiprocessing.get_context("fork").Process(target=_die_while_drawing, args=(small, place))
-    dying.start()
-    dying.join()
-    assert dying.exitcode == -signal.SIGKILL
+    dying = subprocess.run([sys.executable, "-c", DYING, tmp_path / "inputs", place], cwd=ROOT, check=False)
+    assert dying.returncode == -signal.SIGKILL
     (left,) = place.iterdir()
     assert left.name.startswith(PREFIX)
     assert any(left.rglob("*.svg"))
