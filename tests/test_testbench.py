@@ -122,6 +122,14 @@ def test_a_requirement_that_is_no_longer_missed_turns_red():
     assert wrong.reason.endswith("A miss was expected: the expectation no longer holds.")
 
 
+def test_one_variant_that_turns_red_turns_the_outcome_red():
+    overrides = {"variants.light_load.plant.parameters.rolling_resistance": 0}
+    outcome = testbench.run(CRANE / "transfer.toml", overrides)
+    assert outcome.base.verdict is Status.PASS
+    assert outcome.variants["light_load"].verdict is Status.FAIL
+    assert outcome.verdict is Status.FAIL
+
+
 def test_faults_of_all_variants_come_before_anything_runs(monkeypatch):
     def never(diagram):
         raise AssertionError(diagram)

@@ -20,7 +20,7 @@ from fcl_sim.judge.extent import (
     steady_state_error,
 )
 from fcl_sim.judge.integral import iae, ise, itae
-from fcl_sim.judge.metric import Kind
+from fcl_sim.judge.metric import Bound, Kind
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.response import overshoot, rise_time, settling_time
 from fcl_sim.units import parse_unit
@@ -191,3 +191,11 @@ def test_every_metric_runs_on_one_sample() -> None:
     for metric in METRICS.values():
         arguments = {each.name: given_[each.kind] for each in metric.arguments if each.required}
         metric.measure(time, values, arguments)
+
+
+def test_nan_keeps_no_bound_not_even_none():
+    assert Bound(minimum=1.0, maximum=2.0).holds(1.0)
+    assert Bound(minimum=1.0, maximum=2.0).holds(2.0)
+    assert not Bound(minimum=1.0, maximum=2.0).holds(2.1)
+    assert not Bound(minimum=1.0).holds(0.9)
+    assert not Bound().holds(math.nan)

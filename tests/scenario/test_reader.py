@@ -201,3 +201,14 @@ def test_a_scenario_belongs_to_the_bench_above_it(tmp_path, path, bench, name):
     (tmp_path / "b" / "scenarios").mkdir(parents=True)
     assert bench_of(tmp_path / path) == tmp_path / bench
     assert name_of(tmp_path / path) == name
+
+
+def test_a_file_is_looked_for_beside_the_file_that_names_it(bench):
+    elsewhere = bench.folder / "scenarios" / "shared"
+    elsewhere.mkdir()
+    for name in ("crane.controller.toml", "crane_completed.fcl"):
+        (bench.folder / "scenarios" / "crane" / name).rename(elsewhere / name)
+    bench.edit("transfer.toml", ('"crane.controller.toml"', '"../shared/crane.controller.toml"'))
+    assert bench.read().base.rule_bases["controller.rules"].resolve() == elsewhere / "crane_completed.fcl"
+    printed = bench.read(controller__blocks__rules__file="crane_printed.fcl")
+    assert printed.base.rule_bases["controller.rules"].parent == Path("scenarios/crane")
