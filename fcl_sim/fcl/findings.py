@@ -58,7 +58,6 @@ class Findings:
 
     def __init__(self, source: Source) -> None:
         self.source = source
-        self.errors = 0
         self._entries: dict[tuple[str, str], _Entry] = {}
         self._hints = 0
 
@@ -66,7 +65,6 @@ class Findings:
         self, code: str, message: str, at: Spanned, hint: Hint = "", related: Sequence[Place] = ()
     ) -> None:
         """Add an error at `at`; `related` are places that it clashes with."""
-        self.errors += 1
         self._add(Severity.ERROR, code, message, at, hint, related)
 
     def warning(

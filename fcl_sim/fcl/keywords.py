@@ -31,6 +31,11 @@ OPEN_LEVEL_SHAPES = frozenset((
 ))
 """Membership functions of other readers (S15), likewise."""
 
-OPEN_LEVEL_METHODS = frozenset(("COGF", "MM"))
+OPEN_LEVEL_METHODS = frozenset(("COGF", "COGSS", "MM"))
 """Methods of defuzzification of other readers (S15), likewise."""
+
+OPEN_LEVEL_OPERATORS = frozenset((
+    "HPROD", "EPROD", "DPROD", "NMIN", "HSUM", "ESUM", "DSUM", "NMAX", "SUM",
+))
+"""Operators of other readers (S15), likewise."""
 # fmt: on

@@ -4,7 +4,14 @@ from collections.abc import Mapping, Sequence
 
 from fcl_sim.fcl.findings import Stretch
 from fcl_sim.fcl.resolve_conditions import resolve_condition
-from fcl_sim.fcl.resolve_settings import algorithm, settings_by_key
+from fcl_sim.fcl.resolve_settings import (
+    ACCUMULATIONS,
+    ACTIVATIONS,
+    AND_OPERATORS,
+    OR_OPERATORS,
+    algorithm,
+    settings_by_key,
+)
 from fcl_sim.fcl.scope import Declared, Role, Scope
 from fcl_sim.fcl.tokens import Token
 from fcl_sim.fcl.tree import Conclusion, Rule, RuleBlock, Setting, Value
@@ -13,13 +20,8 @@ from fcl_sim.model import Conclusion as ModelConclusion
 from fcl_sim.model import Rule as ModelRule
 from fcl_sim.model import RuleBlock as ModelRuleBlock
 
-_PAIRS = {
-    AndOperator.MIN: OrOperator.MAX,
-    AndOperator.PROD: OrOperator.ASUM,
-    AndOperator.BDIF: OrOperator.BSUM,
-}
-"""Table 3."""
-_PAIRS_OF_OR = {other: one for one, other in _PAIRS.items()}
+_PAIRS = dict(zip(AND_OPERATORS, OR_OPERATORS, strict=True))
+_PAIRS_OF_OR = dict(zip(OR_OPERATORS, AND_OPERATORS, strict=True))
 
 
 def resolve_rule_block(scope: Scope, section: RuleBlock, number: int) -> ModelRuleBlock:
@@ -28,9 +30,9 @@ def resolve_rule_block(scope: Scope, section: RuleBlock, number: int) -> ModelRu
     and_operator, or_operator = _operators(scope, settings)
     activation, accumulation = Activation.MIN, Accumulation.MAX
     if "ACT" in settings:
-        activation = algorithm(scope, settings["ACT"], Activation, "a method of activation") or activation
+        activation = algorithm(scope, settings["ACT"], ACTIVATIONS, "a method of activation") or activation
     if "ACCU" in settings:
-        chosen = algorithm(scope, settings["ACCU"], Accumulation, "a method of accumulation")
+        chosen = algorithm(scope, settings["ACCU"], ACCUMULATIONS, "a method of accumulation")
         accumulation = chosen or accumulation
     elif not section.damaged:
         message = "this rule block has no ACCU: MAX is taken"
@@ -62,8 +64,8 @@ def resolve_rule(scope: Scope, rule: Rule) -> ModelRule | None:
 def _operators(scope: Scope, settings: Mapping[str, Setting]) -> tuple[AndOperator, OrOperator]:
     """Return the pair; a missing one is the pair of the other (S10)."""
     and_setting, or_setting = settings.get("AND"), settings.get("OR")
-    chosen_and = algorithm(scope, and_setting, AndOperator, "an algorithm for AND") if and_setting else None
-    chosen_or = algorithm(scope, or_setting, OrOperator, "an algorithm for OR") if or_setting else None
+    chosen_and = algorithm(scope, and_setting, AND_OPERATORS, "an algorithm for AND") if and_setting else None
+    chosen_or = algorithm(scope, or_setting, OR_OPERATORS, "an algorithm for OR") if or_setting else None
     and_operator = chosen_and or (_PAIRS_OF_OR[chosen_or] if chosen_or else AndOperator.MIN)
     or_operator = chosen_or or _PAIRS[and_operator]
     if chosen_and and chosen_or and and_setting and _PAIRS[chosen_and] is not chosen_or:

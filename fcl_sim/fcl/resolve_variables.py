@@ -1,6 +1,6 @@
 """FUZZIFY and DEFUZZIFY → the model (5.2.2, 5.2.3)."""
 
-from fcl_sim.fcl.resolve_settings import algorithm, settings_by_key
+from fcl_sim.fcl.resolve_settings import METHODS, algorithm, settings_by_key
 from fcl_sim.fcl.resolve_terms import resolve_terms
 from fcl_sim.fcl.scope import Declared, Role, Scope, Terms
 from fcl_sim.fcl.tree import Defuzzify, Fuzzify, Number, Range, Setting
@@ -119,7 +119,7 @@ def _method(
                 hint=f"write `METHOD: {fitting};`",
             )
         return fitting
-    chosen = algorithm(scope, setting, Method, "a method of defuzzification")
+    chosen = algorithm(scope, setting, METHODS, "a method of defuzzification")
     if chosen is None or not terms:
         return fitting
     return _suited(scope, setting, chosen, fitting)

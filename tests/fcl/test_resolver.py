@@ -179,8 +179,8 @@ def test_a_missing_operator_is_the_pair_of_the_other(written, and_operator, or_o
     assert (found.and_operator, found.or_operator) == (AndOperator(and_operator), OrOperator(or_operator))
 
 
-@pytest.mark.parametrize("and_operator", list(AndOperator))
-@pytest.mark.parametrize("or_operator", list(OrOperator))
+@pytest.mark.parametrize("and_operator", ["MIN", "PROD", "BDIF"])
+@pytest.mark.parametrize("or_operator", ["MAX", "ASUM", "BSUM"])
 def test_operators_that_are_no_pair_are_read_with_a_warning(and_operator, or_operator):  # S10, Table 3
     text = changed(("AND: MIN;", f"AND: {and_operator}; OR: {or_operator};"))
     paired = (and_operator, or_operator) in {("MIN", "MAX"), ("PROD", "ASUM"), ("BDIF", "BSUM")}
