@@ -137,6 +137,11 @@ class Cursor:
                 return
             self.advance()
 
+    def skip_line(self) -> None:
+        """Go on in the next line, or before the next statement."""
+        while not (self.at_statement() or self.starts_line()):
+            self.advance()
+
     def leave(self, token: Token) -> None:
         """Go past `token` if it still comes next: whatever happens, reading goes on."""
         if self.token is token:

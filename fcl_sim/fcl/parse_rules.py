@@ -53,6 +53,7 @@ def _block_name(cursor: Cursor, opening: Token) -> tuple[Token | None, bool]:
     try:
         name = cursor.name("the name of a rule block")
     except Astray:
+        cursor.skip_line()
         return None, True
     cursor.take(";")
     return name, False

@@ -60,6 +60,7 @@ def section_name(cursor: Cursor, what: str) -> Token | None:
     try:
         name = cursor.name(what, _AFTER_NAME)
     except Astray:
+        cursor.skip_line()
         return None
     cursor.take(";")
     return name

@@ -10,18 +10,6 @@ from fcl_sim.fcl.scope import Scope
 from fcl_sim.fcl.tokens import Token
 from fcl_sim.fcl.tree import Setting
 from fcl_sim.model import Accumulation, Activation, AndOperator, Method, OrOperator
-from fcl_sim.model import Accumulation, Activation, AndOperator, Method, OrOperator
-
-STANDARD: frozenset[StrEnum] = frozenset(
-    (
-        *(AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF),
-        *(OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM),
-        *(Activation.MIN, Activation.PROD),
-        *(Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM),
-        *(Method.COG, Method.COGS, Method.COA, Method.LM, Method.RM),
-    )
-)
-"""What Tables 1, 3, 4 and 5 list; the rest is Open Level."""
 
 Choice = TypeVar("Choice", bound=StrEnum)
 
@@ -62,8 +50,7 @@ def algorithm(scope: Scope, setting: Setting, choices: Sequence[Choice], what: s
 
     def hint() -> str:
         near = scope.findings.near(token.text, choices)
-        standard = [each for each in choices if each in STANDARD]
-        return f"did you mean {near}?" if near else f"valid here: {listed(standard)}"
+        return f"did you mean {near}?" if near else f"valid here: {listed(choices)}"
 
     scope.findings.error("FCL330", f"{token.shown} is not {what}", token, hint)
     return None

@@ -131,6 +131,9 @@ def test_what_a_number_can_be_replaced_by_is_said(old, new, message):
         ("DEFAULT := 0", "DEFAULT := temp", "a number or NC is expected after DEFAULT, not `temp`"),
         ("RULE 1: IF", "RULE 1; IF", "`:` is expected after the label of the rule, not `;`"),
         ("RULE 1: IF", "RULE 1: WENN", "IF is expected after the label of the rule, not `WENN`"),
+        ("RULEBLOCK No1", "RULEBLOCK 1", "the name of a rule block is expected, not `1`"),
+        ("FUZZIFY temp", "FUZZIFY 1: REAL", "the name of an input variable is expected, not `1`"),
+        ("DEFUZZIFY valve", "DEFUZZIFY (valve)", "the name of an output variable is expected, not `(`"),
         (
             "valve IS inlet;",
             "valve IS inlet valve;",
