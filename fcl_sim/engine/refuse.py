@@ -6,14 +6,24 @@ from itertools import pairwise
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span
 from fcl_sim.engine.conditions import leaves
 from fcl_sim.model import (
+    Accumulation,
+    Activation,
+    And,
+    AndOperator,
     Conclusion,
+    Condition,
     Defuzzification,
     FunctionBlock,
     Fuzzification,
+    Is,
     Method,
+    Not,
+    Or,
+    OrOperator,
     Point,
     Points,
     Rule,
+    RuleBlock,
     Singleton,
     Term,
 )
@@ -31,7 +41,20 @@ HINTS = {
     "FCL405": "conclude on a term: variable IS term",
     "FCL406": "use terms and degrees of input variables",
     "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
+    "FCL408": "give base points, or for outputs single values",
+    "FCL409": "give the term that is meant its own base points",
+    "FCL410": "take the algorithms of Tables 3, 4 and 5",
+    "FCL411": "leave the setting out",
 }
+
+EVALUATED: frozenset[AndOperator | OrOperator | Activation | Accumulation] = frozenset(
+    (
+        *(AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF),
+        *(OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM),
+        *(Activation.MIN, Activation.PROD),
+        *(Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM),
+    )
+)
 
 Finding = tuple[str, str, Span | None]
 """Code, message and place; those with one message become one diagnostic."""
@@ -53,6 +76,9 @@ def refuse(block: FunctionBlock) -> None:
 
 def _findings(block: FunctionBlock) -> Iterator[Finding]:
     for fuzzification in block.fuzzifications:
+        if fuzzification.clamped or not fuzzification.enabled:
+            message = f"LOCK or ENABLED of `{fuzzification.variable}` is not evaluated yet"
+            yield "FCL411", message, fuzzification.span
         for term in fuzzification.terms:
             yield from _input_term(fuzzification, term)
     for defuzzification in block.defuzzifications:
@@ -60,6 +86,7 @@ def _findings(block: FunctionBlock) -> Iterator[Finding]:
     inputs = {variable.name.casefold() for variable in block.inputs}
     outputs = {defuzzification.variable.casefold() for defuzzification in block.defuzzifications}
     for rule_block in block.rule_blocks:
+        yield from _rule_block(rule_block)
         for rule in rule_block.rules:
             yield from _condition(rule, inputs)
             for conclusion in rule.conclusions:
@@ -69,7 +96,8 @@ def _findings(block: FunctionBlock) -> Iterator[Finding]:
 def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
     name = fuzzification.variable
     if not isinstance(term.shape, Points):
-        raise TypeError(f"{name} IS {term.name}: an input's term has base points")
+        yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
+        return
     points = term.shape.points
     if any(isinstance(point.x, str) for point in points):
         yield "FCL403", f"base points of `{name}` are moved by a variable; not evaluated yet", term.span
@@ -87,7 +115,9 @@ def _holds(left: Point, right: Point) -> bool:
 def _output(output: Defuzzification) -> Iterator[Finding]:
     name = output.variable
     for term in output.terms:
-        if not isinstance(term.shape, Singleton):
+        if not isinstance(term.shape, Singleton | Points):
+            yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
+        elif isinstance(term.shape, Points):
             yield "FCL401", f"terms of `{name}` have areas; not evaluated yet", term.span
         elif isinstance(term.shape.value, str):
             yield "FCL404", f"singletons of `{name}` are moved by a variable; not evaluated yet", term.span
@@ -97,13 +127,35 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
     if singletons and output.method not in {Method.COGS, Method.COG}:
         message = f"METHOD {output.method} of `{name}`, whose terms are singletons, is not evaluated yet"
         yield "FCL402", message, output.span
+    if output.held or output.clamped or output.accumulation or not output.enabled:
+        yield "FCL411", f"LOCK, ENABLED or ACCU of `{name}` alone is not evaluated yet", output.span
+
+
+def _rule_block(block: RuleBlock) -> Iterator[Finding]:
+    for chosen in (block.and_operator, block.or_operator, block.activation, block.accumulation):
+        if chosen not in EVALUATED:
+            yield "FCL410", f"{chosen} is not evaluated yet", block.span
+    if not block.enabled:
+        yield "FCL411", f"ENABLED of the rule block `{block.name}` is not evaluated yet", block.span
 
 
 def _condition(rule: Rule, inputs: set[str]) -> Iterator[Finding]:
+    if any(each.hedges for each in _subconditions(rule.condition)):
+        yield "FCL409", "hedges are not evaluated yet", rule.span
     for leaf in leaves(rule.condition):
         if leaf.variable not in inputs:
             message = f"`{leaf.variable}` in a condition is not an input; not evaluated yet"
             yield "FCL406", message, leaf.span or rule.span
+
+
+def _subconditions(condition: Condition) -> Iterator[Is]:
+    if isinstance(condition, Is):
+        yield condition
+    elif isinstance(condition, Not):
+        yield from _subconditions(condition.argument)
+    elif isinstance(condition, And | Or):
+        for argument in condition.arguments:
+            yield from _subconditions(argument)
 
 
 def _conclusion(conclusion: Conclusion, outputs: set[str]) -> Iterator[Finding]:

@@ -5,7 +5,29 @@ from collections.abc import Iterator
 from fcl_sim.diagnostics import Source
 from fcl_sim.fcl import tree
 from fcl_sim.fcl.tokens import Comment, Scan, Token
-from fcl_sim.model import And, Condition, Degree, FunctionBlock, Is, Not, Or, Points, Rule, RuleBlock, Term
+from fcl_sim.model import (
+    And,
+    Call,
+    Condition,
+    Curve,
+    Degree,
+    Expression,
+    Formula,
+    FunctionBlock,
+    Is,
+    Not,
+    Number,
+    Operation,
+    Or,
+    Points,
+    Reference,
+    Rule,
+    RuleBlock,
+    Shape,
+    Singleton,
+    Singletons,
+    Term,
+)
 
 STEP = "  "
 
@@ -137,11 +159,42 @@ def _model(block: FunctionBlock) -> Iterator[str]:
 
 def _terms(terms: tuple[Term, ...]) -> Iterator[str]:
     for term in terms:
-        if isinstance(term.shape, Points):
-            points = " ".join(f"({_number(each.x)}, {each.degree:g})" for each in term.shape.points)
-            yield f"{STEP * 2}TERM {term.name} := {points}"
-        else:
-            yield f"{STEP * 2}TERM {term.name} := {_number(term.shape.value)}"
+        yield f"{STEP * 2}TERM {term.name} := {_model_shape(term.shape)}"
+
+
+def _model_shape(shape: Shape) -> str:
+    match shape:
+        case Points():
+            return " ".join(f"({_number(each.x)}, {each.degree:g})" for each in shape.points)
+        case Singletons():
+            points = " ".join(f"({_number(each.x)}, {each.degree:g})" for each in shape.points)
+            return f"SINGLETONS {points}"
+        case Singleton():
+            return _number(shape.value)
+        case Curve():
+            height = "" if shape.height == 1.0 else f", height {shape.height:g}"
+            return f"{shape.kind} {' '.join(_number(each) for each in shape.parameters)}{height}"
+        case Formula():
+            return f"FUNCTION {_expression(shape.expression)}"
+
+
+def _expression(expression: Expression) -> str:
+    """Return an expression with every pair of parentheses that shows what belongs together."""
+    match expression:
+        case Number():
+            return _number(expression.value)
+        case Reference():
+            return expression.variable
+        case Call():
+            return f"{expression.function}({', '.join(_expression(each) for each in expression.arguments)})"
+        case Operation():
+            parts = [
+                f"({_expression(each)})" if isinstance(each, Operation) else _expression(each)
+                for each in expression.arguments
+            ]
+            if len(parts) == 1:
+                return f"{expression.operator}{parts[0]}"
+            return f" {expression.operator} ".join(parts)
 
 
 def _number(value: float | str) -> str:
@@ -170,7 +223,7 @@ def _plain(condition: Condition) -> str:
     """Return a condition on one line, with every pair of parentheses that shows what belongs together."""
     match condition:
         case Is():
-            return f"{condition.variable} IS {condition.term}"
+            return " ".join((condition.variable, "IS", *condition.hedges, condition.term)).rstrip()
         case Degree():
             return condition.variable
         case Not():

@@ -11,51 +11,56 @@ from fcl_sim.model.block import (
     Defuzzification,
     FunctionBlock,
     Fuzzification,
+    Member,
+    Structure,
     Variable,
 )
-from fcl_sim.model.operators import (
-    Accumulation,
-    Activation,
-    AndOperator,
-    Method,
-    OrOperator,
-)
-from fcl_sim.model.rules import (
-    And,
-    Conclusion,
-    Condition,
-    Degree,
-    Is,
-    Not,
-    Or,
-    Rule,
-    RuleBlock,
-)
-from fcl_sim.model.terms import Point, Points, Shape, Singleton, Term
+from fcl_sim.model.curves import Curve, CurveKind
+from fcl_sim.model.expressions import Call, Expression, Function, Number, Operation, Operator, Reference
+from fcl_sim.model.notes import Level, Note
+from fcl_sim.model.operators import Accumulation, Activation, AndOperator, Hedge, Method, OrOperator
+from fcl_sim.model.rules import And, Conclusion, Condition, Degree, Is, Not, Or, Rule, RuleBlock
+from fcl_sim.model.terms import Formula, Point, Points, Shape, Singleton, Singletons, Term
 
 __all__ = [
     "Accumulation",
     "Activation",
     "And",
     "AndOperator",
+    "Call",
     "Conclusion",
     "Condition",
+    "Curve",
+    "CurveKind",
     "DataType",
     "Defuzzification",
     "Degree",
+    "Expression",
+    "Formula",
+    "Function",
     "FunctionBlock",
     "Fuzzification",
+    "Hedge",
     "Is",
+    "Level",
+    "Member",
     "Method",
     "Not",
+    "Note",
+    "Number",
+    "Operation",
+    "Operator",
     "Or",
     "OrOperator",
     "Point",
     "Points",
+    "Reference",
     "Rule",
     "RuleBlock",
     "Shape",
     "Singleton",
+    "Singletons",
+    "Structure",
     "Term",
     "Variable",
 ]

@@ -3,15 +3,19 @@
 from dataclasses import dataclass, field
 
 from fcl_sim.diagnostics import Span
-from fcl_sim.model.operators import Accumulation, Activation, AndOperator, OrOperator
+from fcl_sim.model.operators import Accumulation, Activation, AndOperator, Hedge, OrOperator
 
 
 @dataclass(frozen=True, slots=True)
 class Is:
-    """The subcondition `variable IS term`; NOT stands around it as `Not`."""
+    """The subcondition `variable IS hedges term`; NOT before all of that stands around it as `Not`.
+
+    The last hedge is applied first. `term` is empty where ANY stands alone.
+    """
 
     variable: str
     term: str
+    hedges: tuple[Hedge, ...] = field(default=(), kw_only=True)
     span: Span | None = field(default=None, compare=False, repr=False)
 
 
@@ -73,7 +77,7 @@ class Rule:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RuleBlock:
-    """Rules under one choice of operators."""
+    """Rules under one choice of operators; none of them counts unless `enabled` (Open Level)."""
 
     name: str
     and_operator: AndOperator = AndOperator.MIN
@@ -81,4 +85,5 @@ class RuleBlock:
     activation: Activation = Activation.MIN
     accumulation: Accumulation = Accumulation.MAX
     rules: tuple[Rule, ...]
+    enabled: bool = True
     span: Span | None = field(default=None, compare=False, repr=False)

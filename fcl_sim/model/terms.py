@@ -3,6 +3,8 @@
 from dataclasses import dataclass, field
 
 from fcl_sim.diagnostics import Span
+from fcl_sim.model.curves import Curve
+from fcl_sim.model.expressions import Expression
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +36,24 @@ class Singleton:
     value: float | str
 
 
-Shape = Points | Singleton
+@dataclass(frozen=True, slots=True)
+class Singletons:
+    """Several single values (Open Level): the degree of each point at its abscissa, 0 elsewhere.
+
+    An input's term that is a single value is one of these with the degree 1.
+    """
+
+    points: tuple[Point, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A singleton of an output whose place is calculated at each evaluation (Open Level)."""
+
+    expression: Expression
+
+
+Shape = Points | Singleton | Singletons | Curve | Formula
 
 
 @dataclass(frozen=True, slots=True)

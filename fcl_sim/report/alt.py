@@ -10,6 +10,7 @@ from fcl_sim.loop.trace import Values
 from fcl_sim.model import Singleton, Term
 from fcl_sim.report.memberships import Panel
 from fcl_sim.report.sampling import Curve, Surface, Track
+from fcl_sim.report.terms import points_of
 from fcl_sim.report.time_plots import Lane, Shown
 from fcl_sim.report.words import counted, joined, number, one_line, with_unit
 
@@ -124,4 +125,4 @@ def _panel(panel: Panel) -> str:
 def _shape(term: Term) -> str:
     if isinstance(term.shape, Singleton):
         return f"at {number(float(term.shape.value))}"
-    return " ".join(f"({number(float(point.x))}, {number(point.degree)})" for point in term.shape.points)
+    return " ".join(f"({number(float(point.x))}, {number(point.degree)})" for point in points_of(term))

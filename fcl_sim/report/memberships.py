@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fcl_sim.model import FunctionBlock, Points, Singleton, Term
+from fcl_sim.model import FunctionBlock, Point, Singleton, Term
 from fcl_sim.report import style
 from fcl_sim.report.frame import Tick, draw_frame, ticks
-from fcl_sim.report.terms import REACH, extent, initials, settled
+from fcl_sim.report.terms import REACH, extent, initials, points_of, settled
 from fcl_sim.report.words import bracketed, number, one_line
 
 LEFT, RIGHT = 15.0, 4.0
@@ -112,7 +112,7 @@ def _anchor(term: Term, panel: Panel) -> float:
     """Return where the name of a term stands: the middle of where its degree is largest."""
     if isinstance(term.shape, Singleton):
         return float(term.shape.value)
-    points = [(float(point.x), point.degree) for point in term.shape.points]
+    points = [(float(point.x), point.degree) for point in points_of(term)]
     peak = max(degree for _, degree in points)
     first = next(index for index, (_, degree) in enumerate(points) if degree == peak)
     last = len(points) - 1 - next(i for i, (_, degree) in enumerate(reversed(points)) if degree == peak)
@@ -159,17 +159,17 @@ def _draw_terms(axes: Axes, panel: Panel, lanes: Mapping[int, int]) -> None:
             axes.plot([at, at], [0.0, 1.0], color=colour, linewidth=1.1, zorder=3)
             axes.plot([at], [1.0], "o", color=colour, markersize=3.6, clip_on=False, zorder=4)
         else:
-            xs, degrees = _line(term.shape, low, high)
+            xs, degrees = _line(points_of(term), low, high)
             axes.plot(xs, degrees, color=colour, linestyle=dashes, linewidth=1.1, clip_on=False, zorder=3)
         _draw_name(axes, panel, index, lanes[index], colour)
 
 
-def _line(shape: Points, low: float, high: float) -> tuple[list[float], list[float]]:
+def _line(points: tuple[Point, ...], low: float, high: float) -> tuple[list[float], list[float]]:
     """Return a membership function from `low` to `high`, without the zeros at its ends."""
-    first, last = shape.points[0], shape.points[-1]
+    first, last = points[0], points[-1]
     line = [
         (low, first.degree),
-        *((float(point.x), point.degree) for point in shape.points),
+        *((float(point.x), point.degree) for point in points),
         (high, last.degree),
     ]
     while len(line) > 2 and line[0][1] == line[1][1] == 0.0:

@@ -16,11 +16,18 @@ def initials(block: FunctionBlock) -> Initials:
     return {each.name.casefold(): each.initial or 0.0 for each in (*block.inputs, *block.variables)}
 
 
+def points_of(term: Term) -> tuple[Point, ...]:
+    """Return the base points of a term that is neither a singleton nor of a shape that is not evaluated."""
+    if not isinstance(term.shape, Points):
+        raise TypeError(term)
+    return term.shape.points
+
+
 def abscissae(term: Term, start: Initials) -> list[float]:
     """Return the places of a term's points, or of its singleton."""
     if isinstance(term.shape, Singleton):
         return [_at(term.shape.value, start)]
-    return [_at(point.x, start) for point in term.shape.points]
+    return [_at(point.x, start) for point in points_of(term)]
 
 
 def extent(terms: Sequence[Term], start: Initials) -> tuple[float, float]:
@@ -37,7 +44,7 @@ def settled(term: Term, start: Initials) -> Term:
     places = abscissae(term, start)
     if isinstance(term.shape, Singleton):
         return Term(term.name, Singleton(places[0]), term.span)
-    points = [Point(max(places[: index + 1]), point.degree) for index, point in enumerate(term.shape.points)]
+    points = [Point(max(places[: index + 1]), point.degree) for index, point in enumerate(points_of(term))]
     return Term(term.name, Points(tuple(points)), term.span)
 
 

@@ -48,7 +48,7 @@ def deviation(base, grid):
     return np.abs(ours - saturated(grid, values)).max()
 
 
-@pytest.mark.parametrize("accumulation", Accumulation)
+@pytest.mark.parametrize("accumulation", [Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM])
 @pytest.mark.parametrize("grid", GRIDS)
 def test_prod_and_a_singleton_for_every_rule_make_a_linear_law(grid, accumulation):
     assert deviation(linear(grid, accumulation=accumulation), grid) <= 1e-12
@@ -68,7 +68,7 @@ def test_min_makes_no_linear_law(grid):
     assert deviation(linear(grid, AndOperator.MIN), grid) > 0.05
 
 
-@pytest.mark.parametrize("accumulation", Accumulation)
+@pytest.mark.parametrize("accumulation", [Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM])
 def test_dyadic_numbers_give_the_law_bit_by_bit(accumulation):
     random = np.random.default_rng(7)
     values = {name: random.integers(-640, 641, 5000) / 128 for name in ("e", "de")}

@@ -1,0 +1,24 @@
+"""Notes: what a text uses beyond the Basic Level, and where (clause 6)."""
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from fcl_sim.diagnostics import Span
+
+
+class Level(StrEnum):
+    """Conformance levels (6.2); OPEN is everything that Tables 8 and 9 do not list."""
+
+    BASIC = "Basic"
+    EXTENSION = "Extension"
+    OPEN = "Open"
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """A feature of the text: `code` is a row of `diagnostics.codes.CODES`, `feature` says what is written."""
+
+    code: str
+    feature: str
+    level: Level
+    span: Span | None = field(default=None, compare=False, repr=False)
