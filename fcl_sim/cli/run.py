@@ -13,6 +13,7 @@ from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.progress import progress
 from fcl_sim.cli.table import print_verdicts
 from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.jit import cache_folder
 from fcl_sim.judge.verdict import Status
 from fcl_sim.loop import trace_file
 from fcl_sim.report import results, summary, writer
@@ -20,8 +21,8 @@ from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.overrides import setting
 from fcl_sim.testbench import Outcome
 
-PIPE_WIDTH = 120
-"""Width of the table where its reader is no terminal."""
+PIPE_WIDTH = 1000
+"""Where the reader is no terminal, a verdict stays one line, however long its names."""
 
 
 def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ...]) -> dict[str, object]:
@@ -94,7 +95,7 @@ def _simulate(
     """Run every scenario; return what came of those that could be run, and each fault of the others once."""
     outcomes: list[Outcome] = []
     faults: dict[Diagnostic, None] = {}
-    with progress("simulating") as advance:
+    with progress("simulating" if _is_warm() else "compiling kernels (once), simulating") as advance:
         for done, file in enumerate(files):
             advance(done, len(files), file.stem)
             try:
@@ -104,13 +105,19 @@ def _simulate(
     return outcomes, faults
 
 
+def _is_warm() -> bool:
+    """Return whether an earlier process has left compiled kernels."""
+    folder = cache_folder()
+    return folder is not None and any(folder.iterdir())
+
+
 def _print(outcomes: Sequence[Outcome]) -> None:
     console = Console(highlight=False)
     if not console.is_terminal:
         console.width = PIPE_WIDTH
     print_verdicts(list(summary.rows(outcomes)), console)
     if outcomes:
-        console.print(summary.sentence(outcomes), soft_wrap=True)
+        click.echo(summary.sentence(outcomes))
 
 
 def _write_traces(outcomes: Sequence[Outcome], file: Path) -> list[Path]:
