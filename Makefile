@@ -16,7 +16,7 @@ test_stamp := $(venv)/test.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench images lock clean
+.PHONY: help run test lint smoke bench docs images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -50,6 +50,9 @@ smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench fro
 
 bench: $(test_stamp) ## measure the speed, against C
 	@$(python) -m benchmarks
+
+docs: $(run_stamp) ## write the pages of docs/ that are generated
+	@$(python) -m docs
 
 images: $(run_stamp) ## draw the README's picture anew
 	@$(python) -m fcl_sim run scenarios/crane/transfer.toml --reports build/images
