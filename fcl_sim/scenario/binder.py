@@ -17,7 +17,7 @@ from fcl_sim.scenario.model import BASE, CONTROLLER, Entries, PlantSetup, Scenar
 from fcl_sim.scenario.quantities import converted
 from fcl_sim.scenario.requirements import requirements_for
 from fcl_sim.scenario.shape import is_fuzzy
-from fcl_sim.scenario.tree import NOTHING, Entry, finding
+from fcl_sim.toml.tree import NOTHING, Entry, finding
 from fcl_sim.units import parse_quantity, parse_unit
 
 Faults = list[Diagnostic]

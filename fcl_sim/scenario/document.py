@@ -1,23 +1,18 @@
-"""Files and texts in TOML → trees with places, or the fault and its mend."""
+"""Files of a scenario → their text, or the fault and its mend."""
 
 import hashlib
-import re
-import tomllib
 from pathlib import Path
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Source, Span, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.scenario.model import SourceFile
-from fcl_sim.scenario.positions import positions
-from fcl_sim.scenario.tree import Entry, grow
+from fcl_sim.toml import Entry
+from fcl_sim.toml import parse as parse_toml
 
 SCENARIO, CONTROLLER_FILE, RULE_BASE = "scenario", "controller", "rule base"
 """The roles of files."""
 
 BYTE_ORDER_MARK = "\ufeff"
-_PLACE = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
-_TRAILING_COMMA = re.compile(r",\s*}")
-_BARE_QUANTITY = re.compile(r"=\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?\s*[a-zA-Z%°µ][^\s#,}\]]*)")
 
 
 def read_file(path: Path, role: str, asked: Span | None = None) -> SourceFile:
@@ -64,54 +59,4 @@ def _beside(path: Path) -> str:
 
 def parse(source: Source) -> Entry:
     """Return a TOML text as a tree; InputFault where it is none."""
-    try:
-        data = tomllib.loads(source.text)
-        places = positions(source)
-    except RecursionError as error:
-        raise _no_toml(source, 0, "arrays or tables are nested too deeply", "") from error
-    except ValueError as error:
-        raise _explained(source, error) from error
-    tree, faults = grow(data, places, Span(source, 0, 0))
-    if faults:
-        raise InputFault(faults)
-    return tree
-
-
-def _explained(source: Source, error: ValueError) -> InputFault:
-    match = _PLACE.search(str(error))
-    message = str(error)[: match.start()] if match else str(error)
-    offset = len(source.text.rstrip())
-    if match and match[1]:
-        text = source.text.replace("\r\n", "\n") if "\r\n" in source.text else source.text
-        source = Source(source.name, text)
-        offset = source.line_starts[int(match[1]) - 1] + int(match[2]) - 1
-    line = source.line_of(min(offset, max(0, len(source.text) - 1)))
-    if message.startswith(("Cannot overwrite", "Cannot declare", "Cannot mutate")):
-        start = source.line_starts[line - 1]
-        return _no_toml(source, start, "a key or table is given twice", "give it once")
-    return _no_toml(source, offset, _plainly(message), _mend(source.line_text(line), message))
-
-
-def _plainly(message: str) -> str:
-    if message.startswith("Expected newline or end of document"):
-        return "something stands behind the value that does not belong there"
-    if message.startswith("Invalid value"):
-        return "this is no value"
-    return message[0].lower() + message[1:]
-
-
-def _mend(line: str, message: str) -> str:
-    if _TRAILING_COMMA.search(line):
-        return "TOML allows no comma before }"
-    quantity = _BARE_QUANTITY.search(line)
-    if quantity:
-        return f'write quantities in quotes: "{quantity[1]}"'
-    if message.startswith("Invalid value"):
-        return 'texts are written in quotes, as in title = "Crane"'
-    return ""
-
-
-def _no_toml(source: Source, offset: int, message: str, hint: str) -> InputFault:
-    start = min(offset, max(0, len(source.text) - 1))
-    place = Place(span=Span(source, start, start + 1))
-    return InputFault([Diagnostic(code="SCN102", message=f"not TOML: {message}", places=(place,), hint=hint)])
+    return parse_toml(source, not_toml="SCN102", twice="SCN103")

@@ -7,7 +7,7 @@ from typing import Any
 
 from fcl_sim.diagnostics import Source, Span
 from fcl_sim.loop.diagram import Integration, Timing
-from fcl_sim.scenario.tree import Entry
+from fcl_sim.toml.tree import Entry
 
 BASE = "base"
 """The name of the run without a variant."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from fcl_sim.diagnostics import InputFault, Source
 from fcl_sim.scenario.document import parse
-from fcl_sim.scenario.tree import Entry
+from fcl_sim.toml.tree import Entry
 
 NAME = "override"
 

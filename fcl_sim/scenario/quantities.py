@@ -1,7 +1,7 @@
 """A value as written → a number in the unit that is wanted, or the fault and its mend."""
 
 from fcl_sim.diagnostics import Diagnostic
-from fcl_sim.scenario.tree import Entry, finding
+from fcl_sim.toml.tree import Entry, finding
 from fcl_sim.units import Unit, UnitError, parse_quantity
 
 

@@ -14,8 +14,8 @@ from fcl_sim.scenario.overrides import overrides_tree
 from fcl_sim.scenario.reading import Reading
 from fcl_sim.scenario.requirements import requirement_texts
 from fcl_sim.scenario.setup import setup_of
-from fcl_sim.scenario.tree import overlaid
 from fcl_sim.scenario.variants import variant_trees
+from fcl_sim.toml.tree import overlaid
 
 
 def read(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Scenario:

@@ -7,7 +7,7 @@ from pathlib import Path
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.scenario.document import read_file
 from fcl_sim.scenario.model import SourceFile
-from fcl_sim.scenario.tree import Entry
+from fcl_sim.toml.tree import Entry
 
 
 @dataclass(slots=True)

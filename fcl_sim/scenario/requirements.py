@@ -9,7 +9,7 @@ from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Requirement
 from fcl_sim.scenario.model import RequirementText
 from fcl_sim.scenario.quantities import converted
-from fcl_sim.scenario.tree import Entry, finding
+from fcl_sim.toml.tree import Entry, finding
 from fcl_sim.units import Unit, parse_unit
 
 SIGNAL = "signal"

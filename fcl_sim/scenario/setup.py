@@ -12,8 +12,8 @@ from fcl_sim.scenario.reading import Reading
 from fcl_sim.scenario.schema import ControllerFile, ScenarioFile
 from fcl_sim.scenario.shape import block_faults, flat, is_fuzzy, shape_faults
 from fcl_sim.scenario.timing import integration_of, timing_of
-from fcl_sim.scenario.tree import NOTHING, Entry, finding, overlaid
 from fcl_sim.scenario.variants import without_unknown_blocks
+from fcl_sim.toml.tree import NOTHING, Entry, finding, overlaid
 
 Faults = list[Diagnostic]
 

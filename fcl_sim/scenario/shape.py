@@ -11,7 +11,7 @@ from fcl_sim.diagnostics import Diagnostic, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.scenario.fields import kind
 from fcl_sim.scenario.schema import FUZZY, Table, block_models
-from fcl_sim.scenario.tree import Entry, finding
+from fcl_sim.toml.tree import Entry, finding
 
 Location = tuple[int | str, ...]
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.scenario.model import BASE, Entries, RequirementText, Scenario, Setup
-from fcl_sim.scenario.tree import Entry
+from fcl_sim.toml.tree import Entry
 
 WIDTH = 100
 DIGEST = 12

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place
 from fcl_sim.loop import clock
 from fcl_sim.loop.diagram import Integration, Timing
-from fcl_sim.scenario.tree import Entry, finding, overlaid
+from fcl_sim.toml.tree import Entry, finding, overlaid
 from fcl_sim.units import nanoseconds, parse_quantity
 
 

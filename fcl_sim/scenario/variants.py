@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from fcl_sim.diagnostics import Diagnostic, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.scenario.model import BASE
-from fcl_sim.scenario.tree import Entry, finding, overlaid
+from fcl_sim.toml.tree import Entry, finding, overlaid
 
 SHARED: Mapping[str, str] = {
     "require": 'all runs share the requirements; name those that miss one: expect = { NAME = "fail" }',

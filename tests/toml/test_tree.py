@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from fcl_sim.diagnostics import Source
 from fcl_sim.scenario.document import parse
 from fcl_sim.scenario.overrides import overrides_tree
-from fcl_sim.scenario.tree import overlaid
+from fcl_sim.toml.tree import overlaid
 
 keys = st.sampled_from(["a", "b", "c", "d"])
 leaves = st.integers(0, 9) | st.text('xyz "\\\n', max_size=3) | st.booleans() | st.lists(st.integers(0, 3))

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from fcl_sim.diagnostics import Diagnostic, Place, Span
-from fcl_sim.scenario.positions import KeyPath, Position
+from fcl_sim.toml.positions import KeyPath, Position
 
 NOTHING: Mapping[str, "Entry"] = MappingProxyType({})
 
@@ -81,42 +81,42 @@ def finding(code: str, message: str, place: Entry | Span | None = None, hint: st
     return Diagnostic(code=code, message=message, places=(Place(span=span),) if span else (), hint=hint)
 
 
-def grow(
-    data: Mapping[str, Any], places: Mapping[KeyPath, Position], top: Span
-) -> tuple[Entry, list[Diagnostic]]:
+Twice = tuple[Span, Span]
+"""The keys of something that is given twice: the second and the first."""
+
+
+def grow(data: Mapping[str, Any], places: Mapping[KeyPath, Position], top: Span) -> tuple[Entry, list[Twice]]:
     """Return what tomllib read as a tree, and what was given twice once dotted keys are taken apart."""
-    faults: list[Diagnostic] = []
+    twice: list[Twice] = []
     root = Position(top, top)
-    entry = _entry(data, (), {**places, (): root}, faults)
-    return entry, faults
+    entry = _entry(data, (), {**places, (): root}, twice)
+    return entry, twice
 
 
-def _entry(value: Any, path: KeyPath, places: Mapping[KeyPath, Position], faults: list[Diagnostic]) -> Entry:
+def _entry(value: Any, path: KeyPath, places: Mapping[KeyPath, Position], twice: list[Twice]) -> Entry:
     position = places[path]
     if isinstance(value, list):
-        items = tuple(_entry(each, (*path, index), places, faults) for index, each in enumerate(value))
+        items = tuple(_entry(each, (*path, index), places, twice) for index, each in enumerate(value))
         return Entry(items, position.key, position.value)
     if not isinstance(value, dict):
         return Entry(value, position.key, position.value)
     table: dict[str, Entry] = {}
     for key, each in value.items():
-        child = _entry(each, (*path, key), places, faults)
+        child = _entry(each, (*path, key), places, twice)
         first, *rest = key.split(".") if all(key.split(".")) else [key]
         for name in reversed(rest):
             child = Entry({name: child}, child.key, child.span)
-        table[first] = _united(table[first], child, faults) if first in table else child
+        table[first] = _united(table[first], child, twice) if first in table else child
     return Entry(table, position.key, position.value)
 
 
-def _united(one: Entry, other: Entry, faults: list[Diagnostic]) -> Entry:
+def _united(one: Entry, other: Entry, twice: list[Twice]) -> Entry:
     if not (one.is_table and other.is_table):
-        places = (Place(span=other.key), Place(span=one.key, label="given here first"))
-        message = f"`{other.key.text}` is given twice"
-        faults.append(Diagnostic(code="SCN103", message=message, places=places))
+        twice.append((other.key, one.key))
         return one
     table = dict(one.table)
     for key, each in other.table.items():
-        table[key] = _united(table[key], each, faults) if key in table else each
+        table[key] = _united(table[key], each, twice) if key in table else each
     return one.keeping(table)
 
 

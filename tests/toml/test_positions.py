@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fcl_sim.diagnostics import Source
-from fcl_sim.scenario.positions import KeyPath, positions
+from fcl_sim.toml.positions import KeyPath, positions
 
 
 def paths_of(value, path: KeyPath = ()) -> Iterator[tuple[KeyPath, object]]:
