@@ -28,6 +28,18 @@ def resolve_condition(scope: Scope, condition: tree.Condition) -> Condition | No
     return None
 
 
+def nesting_depth(condition: tree.Condition) -> int:
+    """Return how deep parentheses are nested in a condition; it calls itself as `resolve_condition` does."""
+    match condition:
+        case tree.Group():
+            return 1 + nesting_depth(condition.argument)
+        case tree.Not():
+            return nesting_depth(condition.argument)
+        case tree.And() | tree.Or():
+            return max(nesting_depth(each) for each in condition.arguments)
+    return 0
+
+
 def _joined(scope: Scope, condition: tree.And | tree.Or) -> Condition | None:
     """Return a condition of several, None where one of them is missing; all of them are looked at."""
     resolved = [resolve_condition(scope, each) for each in condition.arguments]

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from fcl_sim.fcl.findings import Stretch
-from fcl_sim.fcl.resolve_conditions import resolve_condition
+from fcl_sim.fcl.resolve_conditions import nesting_depth, resolve_condition
 from fcl_sim.fcl.resolve_settings import (
     ACCUMULATIONS,
     ACTIVATIONS,
@@ -58,7 +58,8 @@ def resolve_rule(scope: Scope, rule: Rule) -> ModelRule | None:
     resolved = tuple(each for each in conclusions if each is not None)
     if condition is None or len(resolved) < len(conclusions):
         return None
-    return ModelRule(rule.label, condition, resolved, scope.findings.span(rule))
+    nesting = nesting_depth(rule.condition)
+    return ModelRule(rule.label, condition, resolved, scope.findings.span(rule), nesting=nesting)
 
 
 def _operators(scope: Scope, settings: Mapping[str, Setting]) -> tuple[AndOperator, OrOperator]:

@@ -67,12 +67,17 @@ class Conclusion:
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """`RULE label: IF condition THEN conclusions;`."""
+    """`RULE label: IF condition THEN conclusions;`.
+
+    `nesting` is how deep parentheses stand within one another in the text,
+    those that the priority of operators does not need included (Table 11).
+    """
 
     label: str
     condition: Condition
     conclusions: tuple[Conclusion, ...]
     span: Span | None = field(default=None, compare=False, repr=False)
+    nesting: int = field(default=0, compare=False, repr=False, kw_only=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -124,3 +124,17 @@ def test_members_of_structures_are_seen_and_refused():  # S7
 def test_the_tree_keeps_the_parentheses_of_the_text():
     shown = fcl.show_tree(tree(with_rule("RULE 1: IF ((temp IS cold)) THEN valve IS inlet;")))
     assert shown.count("( )") == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "depth"),
+    [
+        ("temp IS cold AND level IS low", 0),
+        ("(temp IS cold) AND level IS low", 1),
+        ("NOT (temp IS cold AND (level IS low))", 2),
+        ("(temp IS cold) OR ((level IS low))", 2),
+    ],
+)
+def test_a_rule_says_how_deep_its_parentheses_are_nested_as_written(text, depth):  # Table 11
+    found = block(with_rule(f"RULE 1: IF {text} THEN valve IS inlet;"))
+    assert found.rule_blocks[0].rules[0].nesting == depth
