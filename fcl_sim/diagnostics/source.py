@@ -60,6 +60,11 @@ class Span:
         """The characters themselves."""
         return self.source.text[self.start : self.end]
 
+    @property
+    def behind(self) -> "Span":
+        """The place right behind the last character."""
+        return Span(self.source, self.end, self.end)
+
     def to(self, other: "Span") -> "Span":
         """Return the span from here to the end of `other`, in the same source."""
         return Span(self.source, self.start, other.end)
