@@ -14,6 +14,7 @@ COMMANDS = {
     "eval": "Evaluate a rule base once.",
     "plot": "Draw membership functions and the characteristic curve or surface.",
     "check": "Read rule bases and list what is wrong with them.",
+    "explain": "Tell what the code of a finding means, why it is a fault, and how it is mended.",
     "show": "Print what a file becomes on its way: tokens, tree, model, wiring ...",
     "schema": "Print the JSON Schema of scenario files, for editors.",
     "new": "Copy the shipped bench into a new folder, as a start.",

@@ -1,4 +1,4 @@
-"""Commands that look at files without running them: check, show, plot, schema, new."""
+"""Commands that look at files without running them: show, plot, schema, new."""
 
 import json
 
@@ -8,29 +8,6 @@ from fcl_sim.plant.catalog import shipped_bench
 from tests.house.places import ROOT
 
 CRANE = ROOT / "scenarios" / "crane"
-
-
-# -- check
-
-
-def test_a_sound_rule_base_has_no_findings(invoke):
-    result = invoke("check", CRANE / "crane_printed.fcl")
-    assert (result.exit_code, result.stdout, result.stderr) == (
-        0,
-        f"{CRANE / 'crane_printed.fcl'}: no findings\n",
-        "",
-    )
-
-
-def test_every_file_is_checked_and_every_finding_shown(invoke, tmp_path):
-    broken = tmp_path / "broken.fcl"
-    broken.write_text((CRANE / "crane_printed.fcl").read_text("utf-8").replace("pos_high;", "pos_hihg;"))
-    result = invoke("check", broken, tmp_path / "missing.fcl", CRANE / "crane_printed.fcl")
-    assert result.exit_code == 3
-    assert f"{broken}: 1 error\n" in result.stdout
-    assert "hint: did you mean `pos_high`?" in result.stdout
-    assert f"{tmp_path / 'missing.fcl'}: 1 error\n" in result.stdout
-    assert result.stdout.endswith(f"{CRANE / 'crane_printed.fcl'}: no findings\n")
 
 
 # -- show
