@@ -177,7 +177,7 @@ def parse_unit(text: str) -> Unit:
 def _product(text: str, whole: str) -> Unit:
     words = text.replace("**", "^").replace("*", " ").replace("·", " ").split()
     if not words and whole.strip():
-        raise UnitError(f"`{whole}` is no unit: a symbol is missing", "write units as in m/s2 or kN s/m")
+        raise UnitError(f"`{whole}` is not a unit: a symbol is missing", "write units as in m/s2 or kN s/m")
     unit = ONE
     for word in words:
         if word != "1":
@@ -188,7 +188,9 @@ def _product(text: str, whole: str) -> Unit:
 def _factor(word: str, whole: str) -> Unit:
     match = _FACTOR.fullmatch(word)
     if match is None:
-        raise UnitError(f"`{whole}` is no unit: `{word}` cannot be read", "write units as in m/s2 or kN s/m")
+        raise UnitError(
+            f"`{whole}` is not a unit: `{word}` cannot be read", "write units as in m/s2 or kN s/m"
+        )
     name, exponent = match[1], int(match[2] or 1)
     return _symbol(name) ** exponent
 
@@ -274,13 +276,13 @@ def parse_quantity(given: str | float) -> Quantity:
         match = _NUMBER.fullmatch(given)
         if match is None:
             shown = f"`{given}`" if given.strip() else "an empty text"
-            raise UnitError(f"{shown} is no quantity", 'write a number and a unit, as in "50 ms"')
+            raise UnitError(f"{shown} is not a quantity", 'write a number and a unit, as in "50 ms"')
         value, rest = float(match[1]), match[2]
     if not math.isfinite(value):
         raise UnitError(f"`{text}` is not a finite number")
     if re.match(r",\d", rest):
         mended = text.replace(",", ".")
-        raise UnitError(f"`{text}` is no quantity", f"the decimal separator is a point: `{mended}`")
+        raise UnitError(f"`{text}` is not a quantity", f"the decimal separator is a point: `{mended}`")
     return Quantity(value, parse_unit(rest))
 
 
@@ -288,7 +290,7 @@ def nanoseconds(quantity: Quantity) -> int:
     """Return a time in whole nanoseconds; UnitError for other dimensions and for fractions of one."""
     unit = parse_unit("s")
     if not quantity.unit.commensurate(unit):
-        raise UnitError(f"{quantity} is no time", 'write a time with its unit, as in "50 ms" or "2 min"')
+        raise UnitError(f"{quantity} is not a time", 'write a time with its unit, as in "50 ms" or "2 min"')
     ticks = exact(quantity.value) * quantity.unit.scale * 10**9
     if ticks.denominator != 1:
         raise UnitError(f"{quantity} is not a whole number of nanoseconds", "the clock counts nanoseconds")

@@ -187,14 +187,14 @@ def test_a_tenth_of_a_second_is_exact() -> None:
         ("5 Kw", "there is no unit `Kw`", "did you mean `kW`?"),
         ("5 Nm", "there is no unit `Nm`", "did you mean `N m`?"),
         ("5 sec", "there is no unit `sec`", "did you mean `s`?"),
-        ("0,5 s", "`0,5 s` is no quantity", "the decimal separator is a point: `0.5 s`"),
-        ("fast", "`fast` is no quantity", 'write a number and a unit, as in "50 ms"'),
-        ("", "an empty text is no quantity", 'write a number and a unit, as in "50 ms"'),
-        ("5 m/", "`m/` is no unit: a symbol is missing", "write units as in m/s2 or kN s/m"),
-        ("5 m//s", "`m//s` is no unit: a symbol is missing", "write units as in m/s2 or kN s/m"),
-        ("5 m#", "`m#` is no unit: `m#` cannot be read", "write units as in m/s2 or kN s/m"),
+        ("0,5 s", "`0,5 s` is not a quantity", "the decimal separator is a point: `0.5 s`"),
+        ("fast", "`fast` is not a quantity", 'write a number and a unit, as in "50 ms"'),
+        ("", "an empty text is not a quantity", 'write a number and a unit, as in "50 ms"'),
+        ("5 m/", "`m/` is not a unit: a symbol is missing", "write units as in m/s2 or kN s/m"),
+        ("5 m//s", "`m//s` is not a unit: a symbol is missing", "write units as in m/s2 or kN s/m"),
+        ("5 m#", "`m#` is not a unit: `m#` cannot be read", "write units as in m/s2 or kN s/m"),
         ("1e999 m", "`1e999 m` is not a finite number", ""),
-        ("nan m", "`nan m` is no quantity", 'write a number and a unit, as in "50 ms"'),
+        ("nan m", "`nan m` is not a quantity", 'write a number and a unit, as in "50 ms"'),
         (
             "5 furlongs",
             "there is no unit `furlongs`",
@@ -232,7 +232,7 @@ def test_celsius_meets_only_itself() -> None:
 
 @pytest.mark.parametrize(
     ("text", "message"),
-    [("5 m", "5 m is no time"), ("0.5 ns", "0.5 ns is not a whole number of nanoseconds")],
+    [("5 m", "5 m is not a time"), ("0.5 ns", "0.5 ns is not a whole number of nanoseconds")],
 )
 def test_what_the_clock_cannot_count_is_refused(text: str, message: str) -> None:
     with pytest.raises(UnitError, match=message):

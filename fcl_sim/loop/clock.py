@@ -31,7 +31,7 @@ def check(timing: Timing) -> None:
         scan, duration = seconds(timing.scan), seconds(timing.duration)
         whole = max(1, round(timing.duration / timing.scan)) * timing.scan
         _refuse(
-            f"the duration of {duration} is no whole number of scans of {scan}",
+            f"the duration of {duration} is not a whole number of scans of {scan}",
             f"a run ends with a scan; {seconds(whole)} would do",
         )
     if not 0 <= timing.latency <= timing.scan:

@@ -54,5 +54,5 @@ def _algebraic_loop(left: Sequence[AnyNode], waits: dict[str, list[AnyNode]]) ->
     path = " → ".join(f"`{node.name}`" for node in loop)
     places = tuple(Place(span=node.span) for node in loop[:-1] if node.span)
     message = f"these blocks wait for each other in every scan: {path}"
-    hint = "an algebraic loop has no order of execution; break it with a block without feedthrough"
+    hint = "no order of execution suits an algebraic loop: take one of these connections away"
     return InputFault([Diagnostic(code="WIR301", message=message, places=places, hint=hint)])

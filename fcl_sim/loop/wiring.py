@@ -85,7 +85,7 @@ def _resolve_aliases(diagram: Diagram, signals: tuple[str, ...], faults: list[Di
         source, sign, seen = alias.source, alias.sign, {name}
         while source in diagram.aliases and source not in signals:
             if source in seen:
-                faults.append(fault("WIR301", f"`{name}` stands for itself", alias.span))
+                faults.append(fault("WIR301", f"`{name}` is connected to itself", alias.span))
                 break
             seen.add(source)
             sign *= diagram.aliases[source].sign

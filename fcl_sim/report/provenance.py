@@ -71,7 +71,7 @@ def date_of(outcomes: Sequence[Outcome]) -> datetime:
             raise InputFault.at_file(
                 "RUN203",
                 "",
-                f"SOURCE_DATE_EPOCH is `{given}`, which is no date",
+                f"SOURCE_DATE_EPOCH is `{given}`, which is not a date",
                 "give whole seconds since 1970",
             ) from None
     files = [each for outcome in outcomes for each in inputs_of(outcome)]

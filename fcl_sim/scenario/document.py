@@ -31,7 +31,7 @@ def read_file(path: Path, role: str, asked: Span | None = None) -> SourceFile:
         message = f"`{shown(path)}` is not UTF-8 text: byte {error.start + 1} does not fit"
         raise _unreadable(path, asked, message, "save it as UTF-8") from error
     except ValueError as error:
-        raise _unreadable(path, asked, f"{str(path)!r} is no name of a file") from error
+        raise _unreadable(path, asked, f"{str(path)!r} is not the name of a file") from error
     source = Source(shown(path), text.removeprefix(BYTE_ORDER_MARK))
     return SourceFile(role=role, path=path, source=source, digest=hashlib.sha256(data).hexdigest())
 

@@ -92,7 +92,7 @@ def _count(value: Any) -> int:
 def _name(value: Any) -> str:
     if not NAME.fullmatch(_text(value)):
         hint = "names are letters, digits and underscores, and begin with a letter"
-        raise refused("SCN206", f"`{value}` is no name", hint)
+        raise refused("SCN206", f"`{value}` is not a name", hint)
     return str(value)
 
 
@@ -110,7 +110,7 @@ def _wire(value: Any) -> str:
         raise refused("SCN203", f"{{it}} is the name of a signal, not {kind(value)}", hint)
     if not WIRE.fullmatch(value.replace(" ", "")):
         hint = 'write it as in "crane.distance", or "-crane.distance" for its negative'
-        raise refused("SCN206", f"{{it}}: `{value}` is no name of a signal", hint)
+        raise refused("SCN206", f"{{it}}: `{value}` is not the name of a signal", hint)
     return value
 
 
@@ -129,7 +129,7 @@ def _expectation(value: Any) -> Any:
     elif value != FAIL:
         shown = f"`{value}`" if isinstance(value, str) else kind(value)
         hint = 'write expect = "fail", or name the runs: expect = { base = "fail" }'
-        raise refused("SCN203", f"{{it}} can only announce a miss, not {shown}", hint)
+        raise refused("SCN203", f"{{it}} can only be `fail`, not {shown}", hint)
     return value
 
 

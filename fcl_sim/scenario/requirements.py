@@ -180,7 +180,7 @@ def _crossed(
 ) -> Iterator[Diagnostic]:
     if minimum is not None and maximum is not None and minimum > maximum:
         yield finding(
-            "SCN406", f"no value lies between the bounds of {text.id}", text.minimum, "exchange them?"
+            "SCN406", f"no value lies between the bounds of {text.id}", text.minimum, "are they exchanged?"
         )
     start, end = arguments.get("from", 0.0), arguments.get("to")
     if end is not None and end < start:

@@ -34,7 +34,7 @@ def test_runs_of_one_seed_draw_different_jitter():
     ("timing", "message"),
     [
         (Timing(scan=0, duration=1), "the scan time must be greater than 0"),
-        (Timing(scan=30_000_000, duration=10**9), "no whole number of scans of 0.03 s"),
+        (Timing(scan=30_000_000, duration=10**9), "not a whole number of scans of 0.03 s"),
         (Timing(scan=10, duration=100, latency=11), "the latency must lie between 0 and the scan time"),
         (Timing(scan=10, duration=100, latency=5, jitter=6), "latency and jitter together"),
     ],

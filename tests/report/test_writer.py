@@ -74,7 +74,7 @@ def test_a_given_date_that_is_none_is_one_message(small, monkeypatch, given):
     with pytest.raises(InputFault) as caught:
         date_of(small)
     assert str(caught.value) == (
-        f"error[RUN203]: SOURCE_DATE_EPOCH is `{given}`, which is no date\n"
+        f"error[RUN203]: SOURCE_DATE_EPOCH is `{given}`, which is not a date\n"
         "  hint: give whole seconds since 1970"
     )
 

@@ -184,7 +184,7 @@ scenarios/crane/transfer.toml:50:12: error[SCN405]: there is no variant called `
         TRANSFER,
         ('expect = { raw_distance = "fail" }', 'expect = "pass"'),
         """\
-scenarios/crane/transfer.toml:50:10: error[SCN203]: `expect` can only announce a miss, not `pass`
+scenarios/crane/transfer.toml:50:10: error[SCN203]: `expect` can only be `fail`, not `pass`
   50 | expect = "pass"
      |          ^^^^^^
   hint: write expect = "fail", or name the runs: expect = { base = "fail" }""",
@@ -277,11 +277,12 @@ scenarios/crane/transfer.toml:18:11: error[WIR401]: the latency must lie between
   also at scenarios/crane/crane.controller.toml:4:9""",
     ),
     (
-        "a duration that is no whole number of scans",
+        "a duration that is not a whole number of scans",
         CONTROLLER,
         ('"50 ms"', '"70 ms"'),
         """\
-scenarios/crane/transfer.toml:14:14: error[WIR401]: the duration of 60 s is no whole number of scans of 0.07 s
+scenarios/crane/transfer.toml:14:14: error[WIR401]: \
+the duration of 60 s is not a whole number of scans of 0.07 s
   14 | duration   = "60 s"
      |              ^^^^^^
   also at scenarios/crane/crane.controller.toml:4:9
