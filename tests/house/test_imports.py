@@ -33,8 +33,13 @@ def imported(*arguments):
 
 @pytest.mark.parametrize(
     "arguments",
-    [("-c", "import fcl_sim"), ("-m", "fcl_sim", "--help"), ("-m", "fcl_sim", "--version")],
-    ids=["import fcl_sim", "--help", "--version"],
+    [
+        ("-c", "import fcl_sim"),
+        ("-m", "fcl_sim", "--help"),
+        ("-m", "fcl_sim", "--version"),
+        ("-m", "fcl_sim", "explain", "FCL310"),
+    ],
+    ids=["import fcl_sim", "--help", "--version", "explain"],
 )
 def test_nothing_heavy_is_loaded_before_it_is_needed(arguments):
     modules = imported(*arguments)
