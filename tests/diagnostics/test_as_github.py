@@ -67,3 +67,12 @@ def test_no_text_breaks_the_command(name, message):
     assert command == "error"
     assert properties == {"file": name, "title": "FCL201 something else is expected"}
     assert "".join(each if each.isprintable() else "�" for each in message) == told
+
+
+def test_signs_that_mean_something_to_the_runner_are_encoded():
+    place = Place(file="a,b:50%.fcl")
+    told = as_github(Diagnostic(code="FCL201", message="100 %0A, or 50 %:", hint="a\nb", places=(place,)))
+    assert told == (
+        "::error file=a%2Cb%3A50%25.fcl,title=FCL201 something else is expected"
+        "::100 %250A, or 50 %25:%0Ahint: a�b"
+    )
