@@ -28,8 +28,10 @@ def _index() -> str:
         "# Findings, by their codes",
         "",
         "Every finding of fcl-sim has a code, and `fcl-sim explain CODE` prints its page. Errors stop a",
-        "command, warnings and notes do not. The pages are generated:",
-        "[how to write one](../developing.md#diagnostics).",
+        "command, warnings and notes do not. A page names the clause of the standard that asks for it; where",
+        "the standard leaves something open, it gives the number of our reading, S1 to S37.",
+        "",
+        "The pages are generated: [how to write one](../developing.md#diagnostics).",
     ]
     for title, codes in families():
         lines += ["", f"## [{title}]({_file(codes)})", "", "| code | | |", "|---|---|---|"]

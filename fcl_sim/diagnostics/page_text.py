@@ -1,5 +1,6 @@
 """Pages as people read them: on a terminal, and in Markdown."""
 
+import re
 from collections.abc import Iterator
 from itertools import groupby
 from textwrap import fill, indent
@@ -8,6 +9,9 @@ from fcl_sim.diagnostics.codes import CODES
 from fcl_sim.diagnostics.page import FAMILIES, Page, family
 
 TEXT_WIDTH = 100
+
+_PLACES = {"RULE": "among the rules", "scenario": "in a scenario", "controller": "in a controller file"}
+_READING = re.compile(r"\b(S\d)")
 
 
 def page_text(page: Page) -> str:
@@ -60,11 +64,11 @@ def families() -> Iterator[tuple[str, tuple[str, ...]]]:
 
 
 def _about(page: Page) -> str:
-    return " · ".join(each for each in (page.severity, page.rule) if each)
+    rule = _READING.sub(r"our reading \1", page.rule, count=1)
+    return " · ".join(each for each in (page.severity, rule) if each)
 
 
 def _heading(word: str, page: Page) -> str:
     if not page.within:
         return word
-    place = "among the rules" if page.within == "RULE" else f"in {page.within}"
-    return f"{word}, {place}"
+    return f"{word}, {_PLACES.get(page.within, f'in {page.within}')}"

@@ -122,7 +122,13 @@ Mended:
 
 def test_a_page_in_markdown_has_its_examples_in_fences():
     text = page_markdown(page("SCN204"))
-    assert "Wrong, in scenario:\n\n```toml\nduration = 1\n```\n\nMended:\n\n```toml\n" in text
+    assert "Wrong, in a scenario:\n\n```toml\nduration = 1\n```\n\nMended:\n\n```toml\n" in text
+
+
+def test_a_page_says_by_which_clause_and_by_which_reading_of_ours():
+    assert page_text(page("FCL304")).splitlines()[1] == "note · IEC 61131-3, B.1.1; our reading S1"
+    assert page_text(page("FCL348")).splitlines()[1] == "error · IEC 61131-7, 5.2.4; our reading S27a, S29"
+    assert page_text(page("RUN107")).splitlines()[1] == "error"
 
 
 def test_all_codes_are_listed_by_family():
