@@ -20,6 +20,7 @@ FAMILIES = {
     "FCL2": "Rule bases: grammar",
     "FCL3": "Rule bases: names and meaning",
     "FCL4": "Rule bases: evaluation",
+    "FCL5": "Rule bases: levels and conformance",
     "JDG": "Requirements and traces",
     "PLT": "Plants",
     "RUN": "The run and its surroundings",
