@@ -33,6 +33,8 @@ KEPT_FOLDERS = 12
 
 F = types.Array(types.float64, 1, "C")
 """Signature part: a contiguous float64 buffer."""
+F4 = types.Array(types.float32, 1, "C")
+"""Signature part: a contiguous float32 buffer."""
 I = types.Array(types.int64, 1, "C")  # noqa: E741  the pair of F
 """Signature part: a contiguous int64 buffer."""
 FF = types.Array(types.float64, 2, "C")
