@@ -115,15 +115,15 @@ class Cursor:
         """Return whether the text ends here, and not with an END."""
         return self.token.kind is Kind.END and not self.last.key.startswith("END")
 
-    def at_statement(self) -> bool:
-        """Return whether a new statement or section begins here, whatever was being read."""
-        token = self.token
+    def at_statement(self, steps: int = 0) -> bool:
+        """Return whether a new statement or section begins `steps` after the next token."""
+        token = self.ahead(steps)
         if token.kind is not Kind.NAME:
             return token.kind is Kind.END
         key = token.key
         if key in ENDS:
             return True
-        following = self.ahead()
+        following = self.ahead(steps + 1)
         if key in SECTIONS or key in {"FUNCTION_BLOCK", "TERM", "RULE"}:
             return following.key not in {"IS", ")", "AND", "OR", "THEN", ",", ";"}
         if key in SETTINGS:

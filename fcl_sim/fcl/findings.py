@@ -6,6 +6,7 @@ from itertools import islice
 from typing import Protocol
 
 from fcl_sim.diagnostics import Diagnostic, Place, Severity, Source, Span, nearest
+from fcl_sim.model import Level, Note
 
 MOST_FINDINGS = 100
 """Of different messages in one stage; what follows is left unsaid, once that has been said."""
@@ -60,6 +61,12 @@ class Findings:
         self.source = source
         self._entries: dict[tuple[str, str], _Entry] = {}
         self._hints = 0
+        self.notes: list[Note] = []
+        """What the text uses beyond Tables 8 and 9, in the order in which it is found."""
+
+    def feature(self, code: str, feature: str, at: Spanned) -> None:
+        """Note a feature of the Open Level; `code` is a row of `features.FEATURES`."""
+        self.notes.append(Note(code, feature, Level.OPEN, self.span(at)))
 
     def error(
         self, code: str, message: str, at: Spanned, hint: Hint = "", related: Sequence[Place] = ()

@@ -16,26 +16,10 @@ STRUCTURAL = ENDS | SECTIONS | {
 
 SETTINGS = {
     "METHOD": (":", ":="), "ACCU": (":", ":="), "ACT": (":", ":="), "AND": (":", ":="), "OR": (":", ":="),
-    "DEFAULT": (":=", ":"), "RANGE": (":=", ":", "("),
+    "DEFAULT": (":=", ":"), "RANGE": (":=", ":", "("), "LOCK": (":", ":="), "ENABLED": (":", ":="),
 }
 """Keywords that begin a statement only before one of these signs."""
 
 HEDGES = frozenset(("VERY", "EXTREMELY", "SOMEWHAT", "SELDOM", "ANY"))
-"""Hedges of other readers (S15); this version knows that it does not know them."""
-
-OPEN_LEVEL_SHAPES = frozenset((
-    "TRIAN", "TRAPE", "GAUSS", "GAUSS2", "GBELL", "SIGM", "DSIGM", "COSINE", "SINGLETONS", "FUNCTION",
-    "TRIANGLE", "TRAPEZOID", "RECTANGLE", "GAUSSIAN", "GAUSSIANPRODUCT", "BELL", "SIGMOID",
-    "SIGMOIDDIFFERENCE", "SIGMOIDPRODUCT",
-    "RAMP", "ZSHAPE", "SSHAPE", "PISHAPE", "SPIKE", "CONCAVE", "CONSTANT", "LINEAR",
-))
-"""Membership functions of other readers (S15), likewise."""
-
-OPEN_LEVEL_METHODS = frozenset(("COGF", "COGSS", "MM"))
-"""Methods of defuzzification of other readers (S15), likewise."""
-
-OPEN_LEVEL_OPERATORS = frozenset((
-    "HPROD", "EPROD", "DPROD", "NMIN", "HSUM", "ESUM", "DSUM", "NMAX", "SUM",
-))
-"""Operators of other readers (S15), likewise."""
+"""Hedges of fuzzylite (S15): names where nothing follows that they could hedge."""
 # fmt: on

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 
 from fcl_sim.fcl.cursor import Cursor
 from fcl_sim.fcl.keywords import HEDGES
+from fcl_sim.fcl.parse_values import variable
 from fcl_sim.fcl.tokens import Kind, Token
 from fcl_sim.fcl.tree import And, Condition, Group, Is, Member, Not, Or
 
@@ -76,35 +77,49 @@ def _prefixes(cursor: Cursor, levels: list[_Level]) -> None:
             levels[-1].negations.append(token)
         else:
             return
-        if len(levels) > DEEPEST or len(levels[-1].negations) > DEEPEST:
+        if len(levels) - 1 > DEEPEST or len(levels[-1].negations) > DEEPEST:
             raise cursor.refuse("FCL208", f"this condition is nested more than {DEEPEST} levels deep", token)
         cursor.advance()
 
 
 def subcondition(cursor: Cursor) -> Condition:
-    """Read `subcondition ::= variable_name | variable_name 'IS' ['NOT'] term_name` (5.4.1).
+    """Read `subcondition ::= variable | variable 'IS' ['NOT'] {hedge} term_name` (5.4.1, S15).
 
-    Annex D's structure members are read as well (S7).
+    Annex D's `structure = member` is read as well (S7).
     """
-    variable = cursor.name("the name of a variable", _AFTER_VARIABLE)
-    token = cursor.token
-    if token.key == "IS":
-        return _is(cursor, variable)
-    if token.key in {".", "="}:
+    name = variable(cursor, "the name of a variable", _AFTER_VARIABLE)
+    if cursor.token.key == "IS":
+        return _is(cursor, name)
+    if cursor.token.key == "." and cursor.ahead().key == "=":
         cursor.advance()
+    if cursor.take("="):
         member = cursor.name("the name of a member", _AFTER_TERM)
-        return Member(variable, member, variable.start, member.end)
-    return variable
+        return Member(name, member, name.start, member.end)
+    return name
 
 
-def _is(cursor: Cursor, variable: Token) -> Is:
+def _is(cursor: Cursor, name: Token) -> Is:
     cursor.advance()
     negation = cursor.take("NOT")
+    hedges: list[Token] = []
+    while _at_hedge(cursor):
+        hedges.append(cursor.advance())
+        if len(hedges) > DEEPEST:
+            raise cursor.refuse("FCL208", f"there are more than {DEEPEST} hedges here", cursor.last)
+    term = None
+    if not (hedges and hedges[-1].key == "ANY" and cursor.token.key in _AFTER_TERM):
+        term = cursor.name(f"a term of {name.shown}", _AFTER_TERM)
+    return Is(name, negation, term, name.start, cursor.last.end, tuple(hedges))
+
+
+def _at_hedge(cursor: Cursor) -> bool:
+    """Return whether a hedge comes next: a term may have the name of one (S1a)."""
     token, following = cursor.token, cursor.ahead()
-    if token.key in HEDGES and following.kind is Kind.NAME and following.key not in _AFTER_TERM:
-        raise cursor.refuse("FCL290", f"{token.shown} is a hedge, which this version does not read", token)
-    term = cursor.name(f"a term of {variable.shown}", _AFTER_TERM)
-    return Is(variable, negation, term, variable.start, term.end)
+    if token.key == "NOT":
+        return True
+    if token.key not in HEDGES:
+        return False
+    return token.key == "ANY" or (following.kind is Kind.NAME and following.key not in _AFTER_TERM)
 
 
 def _refuse_unclosed(cursor: Cursor, opening: Token | None) -> None:

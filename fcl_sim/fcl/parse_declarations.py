@@ -2,16 +2,19 @@
 
 from fcl_sim.fcl.cursor import Astray, Cursor
 from fcl_sim.fcl.keywords import ENDS, SECTIONS
+from fcl_sim.fcl.parse_settings import limits
 from fcl_sim.fcl.parse_values import constant
 from fcl_sim.fcl.sections import closes
 from fcl_sim.fcl.tokens import Kind, Token
-from fcl_sim.fcl.tree import Declaration, Declarations, Number
+from fcl_sim.fcl.tree import Declaration, Declarations, Number, Range, Structure
 
 OTHER_KINDS = frozenset(("VAR_IN_OUT", "VAR_EXTERNAL", "VAR_GLOBAL", "VAR_TEMP"))
 
 _QUALIFIERS = frozenset(("RETAIN", "NON_RETAIN", "CONSTANT"))
 _AFTER_NAME = frozenset((":", ","))
 _NO_NAMES = ENDS | SECTIONS | {"FUNCTION_BLOCK"}
+_NO_MEMBER = (ENDS | SECTIONS | {"FUNCTION_BLOCK"}) - {"END_STRUCT"}
+_RANGES = frozenset((":=", "("))
 
 
 def declarations(cursor: Cursor) -> Declarations:
@@ -32,7 +35,10 @@ def declarations(cursor: Cursor) -> Declarations:
             continue
         before = cursor.token
         try:
-            variables += _declaration(cursor)
+            if _at_range(cursor):
+                variables = _ranged(variables, _later_range(cursor, variables))
+            else:
+                variables += declaration(cursor)
         except Astray:
             damaged = True
             cursor.leave(before)
@@ -52,27 +58,80 @@ def _is_declared(cursor: Cursor) -> bool:
     return cursor.token.kind is Kind.NAME and cursor.ahead().key in _AFTER_NAME
 
 
-def _declaration(cursor: Cursor) -> list[Declaration]:
-    """Read `declaration ::= variable_name {',' variable_name} ':' data_type [':=' constant] ';'`."""
+def _at_range(cursor: Cursor) -> bool:
+    return cursor.token.key == "RANGE" and cursor.ahead().key in _RANGES
+
+
+def _later_range(cursor: Cursor, variables: list[Declaration]) -> Range:
+    """Read a range that stands behind the semicolon of its declaration, as jFuzzyLogic has it."""
+    keyword = cursor.advance()
+    if not variables:
+        raise cursor.refuse("FCL204", "RANGE stands behind the declaration that it belongs to", keyword)
+    found = limits(cursor)
+    cursor.end_statement(begins=_is_declared(cursor))
+    return found
+
+
+def _ranged(variables: list[Declaration], found: Range) -> list[Declaration]:
+    """Return the declarations with a range for all names of the last one."""
+    kind = variables[-1].type
+    last = next((i for i, each in reversed(list(enumerate(variables))) if each.type is not kind), -1) + 1
+    kept, named = variables[:last], variables[last:]
+    return [*kept, *(Declaration(each.name, each.type, each.initial, found) for each in named)]
+
+
+def declaration(cursor: Cursor) -> list[Declaration]:
+    """Read `declaration ::= name {',' name} ':' type [range] [':=' constant] [range] ';'`.
+
+    `type ::= data_type | structure`; `range ::= ['RANGE' [':=']] '(' limit '..' limit ')'` is Open Level,
+    and so is a range as a statement of its own behind the declaration.
+    """
     names = [cursor.name("the name of a variable", _AFTER_NAME, begins=True)]
     while cursor.take(","):
         names.append(cursor.name("the name of a variable", _AFTER_NAME))
-    type_name: Token | None = None
+    type_name: Token | Structure | None = None
     initial: Number | None = None
+    found: Range | None = None
     try:
         cursor.expect(":", "the name of the variable", instead=(":=", "="))
         if _is_declared(cursor):
             raise cursor.stray("a data type is expected", code="FCL209")
-        type_name = cursor.name("a data type")
+        type_name = structure(cursor) if cursor.token.key == "STRUCT" else cursor.name("a data type")
+        if cursor.token.key == "(":
+            found = limits(cursor)
         if cursor.token.key in {":=", ":", "="}:
             cursor.expect(":=", "the data type", instead=(":", "="))
             initial = constant(cursor, "an initial value")
-        if cursor.token.key == "RANGE":
-            raise cursor.refuse("FCL290", "RANGE in a declaration is not read by this version", cursor.token)
+        if _at_range(cursor):
+            cursor.advance()
+            found = limits(cursor)
         cursor.end_statement(begins=_is_declared(cursor))
     except Astray:
         _skip(cursor)
-    return [Declaration(name, type_name, initial) for name in names]
+    return [Declaration(name, type_name, initial, found) for name in names]
+
+
+def structure(cursor: Cursor, name: Token | None = None) -> Structure:
+    """Read `structure ::= 'STRUCT' [name] {declaration} 'END_STRUCT'` (Annex D, S7).
+
+    The name stands here, or before the colon (IEC 61131-3 B.1.3.3), or there is
+    none where a variable is declared.
+    """
+    keyword = cursor.advance()
+    if name is None and cursor.token.kind is Kind.NAME and not _is_declared(cursor):
+        name = cursor.advance()
+        cursor.take(";")
+    members: list[Declaration] = []
+    while _is_declared(cursor) or not closes(cursor, keyword, "END_STRUCT", _NO_MEMBER):
+        if cursor.take(";"):
+            continue
+        before = cursor.token
+        try:
+            members += declaration(cursor)
+        except Astray:
+            cursor.leave(before)
+            _skip(cursor)
+    return Structure(keyword, name, tuple(members))
 
 
 def _skip(cursor: Cursor) -> None:

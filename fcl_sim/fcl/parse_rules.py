@@ -2,23 +2,25 @@
 
 from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
 from fcl_sim.fcl.findings import Spanned, Stretch
-from fcl_sim.fcl.parse_conditions import condition
-from fcl_sim.fcl.parse_values import value
-from fcl_sim.fcl.parse_variables import choice
+from fcl_sim.fcl.keywords import HEDGES
+from fcl_sim.fcl.parse_conditions import DEEPEST, condition
+from fcl_sim.fcl.parse_settings import choice
+from fcl_sim.fcl.parse_values import value, variable
 from fcl_sim.fcl.sections import statements
 from fcl_sim.fcl.tokens import Kind, Token
 from fcl_sim.fcl.tree import Conclusion, Rule, RuleBlock, Setting
 
 _WORDS = (Kind.NAME, Kind.NUMBER, Kind.MIXED)
 _BEGINS_STATEMENT = frozenset(("AND", "OR", "ACT", "ACCU", "RULE", "IF"))
-_AFTER_VARIABLE = frozenset(("IS", "WITH", ",", ";", "AND"))
-_AFTER_TERM = frozenset(("WITH", ",", ";", "AND"))
+_AFTER_VARIABLE = frozenset(("IS", "WITH", ",", ";", "AND", ")"))
+_AFTER_TERM = frozenset(("WITH", ",", ";", "AND", ")"))
 
 
 def rule_block(cursor: Cursor) -> RuleBlock:
     """Read `rule_block ::= 'RULEBLOCK' rule_block_name {statement} 'END_RULEBLOCK'` (5.4.1).
 
-    `statement ::= operator_definition | activation_method | accumulation_method | rule`.
+    `statement ::= operator_definition | activation_method | accumulation_method | enabled | rule`;
+    ENABLED is Open Level.
     """
     opening = cursor.advance()
     name, damaged = _block_name(cursor, opening)
@@ -33,6 +35,7 @@ def rule_block(cursor: Cursor) -> RuleBlock:
             "OR": lambda at: settings.append(choice(at, "OR", "an algorithm for OR", also=("AND",))),
             "ACT": lambda at: settings.append(choice(at, "ACT", "a method of activation")),
             "ACCU": lambda at: settings.append(choice(at, "ACCU", "a method of accumulation")),
+            "ENABLED": lambda at: settings.append(choice(at, "ENABLED", "TRUE or FALSE")),
             "RULE": lambda at: rules.append(_rule(at, len(rules) + 1)),
             "IF": lambda at: rules.append(_bare_rule(at, len(rules) + 1)),
         },
@@ -55,8 +58,21 @@ def _block_name(cursor: Cursor, opening: Token) -> tuple[Token | None, bool]:
     except Astray:
         cursor.skip_line()
         return None, True
+    if _is_longer(cursor):
+        while _is_longer(cursor):
+            cursor.advance()
+        words = cursor.source.text[name.start : cursor.last.end]
+        name = Token(Kind.NAME, words, words.upper(), name.start)
+        cursor.findings.feature("rule block name", f"`{words}`", name)
     cursor.take(";")
     return name, False
+
+
+def _is_longer(cursor: Cursor) -> bool:
+    """Return whether what comes next belongs to a name of several words (S15)."""
+    token = cursor.token
+    words = token.kind in _WORDS or token.key in {"-", "."}
+    return words and not (cursor.starts_line() or cursor.at_statement() or token.key == "IF")
 
 
 def _rule(cursor: Cursor, number: int) -> Rule:
@@ -115,10 +131,16 @@ def _body(cursor: Cursor, heading: Spanned, label: str) -> Rule:
 def conclusion(cursor: Cursor) -> tuple[Conclusion, ...]:
     """Read `conclusion ::= subconclusion {',' subconclusion}` (5.4.1).
 
-    AND in place of the comma is noted (S6).
+    AND in place of the comma is noted (S6); parentheses around a subconclusion,
+    or around all of them, are Open Level.
     """
-    parts = [subconclusion(cursor)]
+    parts: list[Conclusion] = []
+    opened: list[Token] = []
     while True:
+        _open(cursor, opened)
+        parts.append(subconclusion(cursor))
+        while opened and cursor.take(")"):
+            opened.pop()
         token = cursor.token
         if token.key == "AND" and cursor.ahead().key != ":":
             message = "subconclusions are joined by AND: the grammar wants a comma"
@@ -127,27 +149,48 @@ def conclusion(cursor: Cursor) -> tuple[Conclusion, ...]:
             hint = "write a comma, or two rules"
             raise cursor.refuse("FCL215", "subconclusions cannot be joined by OR", token, hint)
         elif token.key != ",":
-            return tuple(parts)
+            break
         cursor.advance()
-        parts.append(subconclusion(cursor))
+    if opened:
+        raise cursor.refuse("FCL207", "this parenthesis is not closed", opened[-1])
+    return tuple(parts)
+
+
+def _open(cursor: Cursor, opened: list[Token]) -> None:
+    """Take opening parentheses, as pyfuzzy writes them."""
+    while cursor.token.key == "(":
+        if len(opened) == DEEPEST:
+            message = f"this conclusion is nested more than {DEEPEST} levels deep"
+            raise cursor.refuse("FCL208", message, cursor.token)
+        cursor.findings.feature("conclusion", "a conclusion in parentheses", cursor.token)
+        opened.append(cursor.advance())
 
 
 def subconclusion(cursor: Cursor) -> Conclusion:
-    """Read `subconclusion ::= variable_name ['IS' term_name] ['WITH' weighting_factor]` (5.4.1, S12).
+    """Read `subconclusion ::= variable ['IS' term_name] ['WITH' weighting_factor]` (5.4.1, S12).
 
     `weighting_factor ::= variable | numeric_literal`.
     """
-    variable = cursor.name("the name of an output variable", _AFTER_VARIABLE)
+    name = variable(cursor, "the name of an output variable", _AFTER_VARIABLE)
     term = None
     weight = None
     if cursor.take("IS"):
         if cursor.token.key == "NOT":
             hint = "name the term that is meant"
             raise cursor.refuse("FCL215", "a conclusion cannot be negated", cursor.token, hint)
-        term = cursor.name(f"a term of {variable.shown}", _AFTER_TERM)
+        if cursor.token.key in HEDGES and cursor.ahead().kind is Kind.NAME and not cursor.at_statement(1):
+            raise _refuse_hedge(cursor)
+        term = cursor.name(f"a term of {name.shown}", _AFTER_TERM)
     if cursor.take("WITH"):
         weight = value(cursor, "a weighting factor, a number from 0 to 1 or the name of a variable,")
-    return Conclusion(variable, term, weight, variable.start, cursor.last.end)
+    return Conclusion(name, term, weight, name.start, cursor.last.end)
+
+
+def _refuse_hedge(cursor: Cursor) -> Astray:
+    message = f"a conclusion cannot have the hedge {cursor.token.shown}"
+    return cursor.refuse(
+        "FCL215", message, cursor.token, "hedges stand in conditions; WITH weighs a conclusion"
+    )
 
 
 def _advice(cursor: Cursor) -> str:

@@ -1,10 +1,10 @@
 """TERM: linguistic terms and their membership functions (5.2.2, 5.2.3)."""
 
 from fcl_sim.fcl.cursor import Astray, Cursor
-from fcl_sim.fcl.keywords import OPEN_LEVEL_SHAPES
+from fcl_sim.fcl.parse_shapes import at_shape, shape
 from fcl_sim.fcl.parse_values import value
 from fcl_sim.fcl.tokens import Kind
-from fcl_sim.fcl.tree import Pair, Term, Value
+from fcl_sim.fcl.tree import Pair, Shape, Term
 
 _AFTER_NAME = frozenset((":=", ":", "="))
 
@@ -18,26 +18,20 @@ def term(cursor: Cursor) -> Term:
     name = cursor.name("the name of a term", _AFTER_NAME)
     try:
         cursor.expect(":=", "the name of the term", instead=(":", "="))
-        shape = membership_function(cursor)
+        function = membership_function(cursor)
         cursor.end_statement()
     except Astray:
         cursor.skip_statement()
         return Term(name, None)
-    return Term(name, shape)
+    return Term(name, function)
 
 
-def membership_function(cursor: Cursor) -> tuple[Pair, ...] | Value:
-    """Read `membership_function ::= points | numeric_literal | variable_name` (5.4.1)."""
-    token = cursor.token
-    if token.key == "(":
+def membership_function(cursor: Cursor) -> Shape:
+    """Read `membership_function ::= points | numeric_literal | variable | shape` (5.4.1, S15)."""
+    if cursor.token.key == "(":
         return points(cursor)
-    if token.key in OPEN_LEVEL_SHAPES and cursor.ahead().key != ";":
-        raise cursor.refuse(
-            "FCL290",
-            f"{token.shown} is a membership function of the Open Level, which this version does not read",
-            token,
-            hint="write its points: `(x, degree) (x, degree) …`",
-        )
+    if cursor.token.kind is Kind.NAME and at_shape(cursor):
+        return shape(cursor)
     return value(cursor, "a point in parentheses, a number or the name of a variable")
 
 

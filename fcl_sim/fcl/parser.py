@@ -9,16 +9,19 @@ from fcl_sim.fcl.findings import Stretch
 from fcl_sim.fcl.keywords import ENDS, SECTIONS
 from fcl_sim.fcl.parse_declarations import OTHER_KINDS, declarations
 from fcl_sim.fcl.parse_rules import rule_block
+from fcl_sim.fcl.parse_structures import structures
 from fcl_sim.fcl.parse_variables import defuzzify, fuzzify
 from fcl_sim.fcl.sections import Reader, closes, guess, report_unclosed
 from fcl_sim.fcl.tokens import Kind, Scan, Token
-from fcl_sim.fcl.tree import Block, Heading, Options, Section, Tree
+from fcl_sim.fcl.tree import Block, Heading, Options, Section, Structures, Tree
+from fcl_sim.model import Note
 
 _END = "END_FUNCTION_BLOCK"
 _NO_NAME = SECTIONS | ENDS | {"FUNCTION_BLOCK"}
 _AFTER_NAME = _NO_NAME | {";"}
 _NEXT_BLOCK = frozenset(("FUNCTION_BLOCK",))
 _NEXT_SECTION = SECTIONS | {"FUNCTION_BLOCK", _END}
+_TYPES = frozenset(("TYPE", "STRUCT"))
 _ALIKE = {"OPTION": "OPTIONS"} | dict.fromkeys(OTHER_KINDS, "VAR")
 """Sections that are read like another one."""
 _OPTION_ENDS = ("END_OPTIONS", "END_OPTION")
@@ -30,6 +33,7 @@ class Parsing:
 
     tree: Tree
     diagnostics: tuple[Diagnostic, ...]
+    notes: tuple[Note, ...]
 
 
 def parse(scan: Scan) -> Parsing:
@@ -37,11 +41,10 @@ def parse(scan: Scan) -> Parsing:
     cursor = Cursor(scan)
     blocks: list[Block] = []
     verbatim: list[Span] = []
-    types = False
+    types: list[Structures] = []
     while cursor.token.kind is not Kind.END:
-        if cursor.token.key == "TYPE":
-            types = True
-            _skip_types(cursor)
+        if cursor.token.key in _TYPES and cursor.ahead().kind is Kind.NAME:
+            types.append(structures(cursor))
         elif _begins_block(cursor, first=not blocks):
             blocks.append(function_block(cursor))
         else:
@@ -50,15 +53,15 @@ def parse(scan: Scan) -> Parsing:
         cursor.findings.error("FCL205", "there is no FUNCTION_BLOCK in this text", Stretch(0, 0))
     inside = [each for block in blocks for each in block.sections if isinstance(each, Options)]
     verbatim += [cursor.findings.span(each) for each in inside]
-    tree = Tree(source=scan.source, blocks=tuple(blocks), verbatim=tuple(verbatim), types=types)
-    return Parsing(tree, cursor.findings.diagnostics())
+    tree = Tree(source=scan.source, blocks=tuple(blocks), verbatim=tuple(verbatim), types=tuple(types))
+    return Parsing(tree, cursor.findings.diagnostics(), tuple(cursor.findings.notes))
 
 
 def function_block(cursor: Cursor) -> Block:
     """Read `function_block ::= 'FUNCTION_BLOCK' name {section} 'END_FUNCTION_BLOCK'` (5.4.1).
 
     `section ::= declarations | fuzzify_block | defuzzify_block | rule_block |
-    option_block`, in any order. A text that begins with a section is read as if
+    option_block | types`, in any order. A text that begins with a section is read as if
     the heading stood there.
     """
     opening = cursor.token
@@ -77,6 +80,8 @@ def function_block(cursor: Cursor) -> Block:
         "DEFUZZIFY": lambda at: sections.append(defuzzify(at)),
         "RULEBLOCK": lambda at: sections.append(rule_block(at)),
         "OPTIONS": lambda at: sections.append(options(at)),
+        "TYPE": lambda at: sections.append(structures(at)),
+        "STRUCT": lambda at: sections.append(structures(at)),
     }
     damaged = False
     while not closes(cursor, opening, _END, _NEXT_BLOCK, ENDS):
@@ -151,15 +156,6 @@ def _heading(cursor: Cursor, opening: Token) -> Heading | None:
         message = "the function block's name is not an identifier (Open Level)"
         cursor.findings.note("FCL221", message, heading)
     return heading
-
-
-def _skip_types(cursor: Cursor) -> None:
-    message = "structure types (TYPE … END_TYPE) are not read by this version"
-    cursor.findings.error("FCL290", message, cursor.advance())
-    while cursor.token.kind is not Kind.END and cursor.token.key != "FUNCTION_BLOCK":
-        if cursor.advance().key == "END_TYPE":
-            cursor.take(";")
-            return
 
 
 def _pass_over(cursor: Cursor, *, first: bool) -> Span:

@@ -1,20 +1,29 @@
 """Text → model, all stages in one go."""
 
+import re
 import sys
 from bisect import bisect_right
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import PurePath
 
 from fcl_sim.diagnostics import Diagnostic, Place, Severity, Source, Span
+from fcl_sim.diagnostics.codes import CODES
+from fcl_sim.fcl.features import SLIPS
 from fcl_sim.fcl.findings import in_order
 from fcl_sim.fcl.parser import parse
 from fcl_sim.fcl.resolver import resolve
 from fcl_sim.fcl.scanner import scan
-from fcl_sim.model import FunctionBlock
+from fcl_sim.fcl.tree import Tree
+from fcl_sim.model import FunctionBlock, Level, Note
 
 LONGEST_TEXT = 8 * 1024 * 1024
 """In characters; 10,000 rules are one million."""
+
+_FFLL = re.compile(
+    r"^[ \t]*(\w+[ \t]+REAL[ \t]*;)[ \t]*\(\*[ \t]*RANGE[ \t]*\(", re.IGNORECASE | re.MULTILINE
+)
+"""A declaration without a colon whose range stands in a comment: FFLL takes it from there."""
 
 UNNAMED = "unnamed"
 """The name of a function block without one, in a text that is no file."""
@@ -47,13 +56,56 @@ def read(text: str, name: str = "<text>") -> Reading:
         message = f"this text has {len(text)} characters; {LONGEST_TEXT} are read at most"
         too_long = Diagnostic(code="FCL102", message=message, places=(Place(Span(source, 0, 0)),))
         return Reading((), (too_long,))
+    foreign = _FFLL.search(text)
+    if foreign is not None:
+        return Reading((), (_refuse_ffll(source, foreign),))
     scanned = scan(source)
     parsed = parse(scanned)
     resolved = resolve(parsed.tree, PurePath(name).stem if name != "<text>" else UNNAMED)
     characters = _outside(scanned.diagnostics, parsed.tree.verbatim)
     diagnostics = in_order((*characters, *parsed.diagnostics, *resolved.diagnostics))
     faulty = any(each.severity is Severity.ERROR for each in diagnostics)
-    return Reading(() if faulty else resolved.blocks, diagnostics)
+    if faulty:
+        return Reading((), diagnostics)
+    notes = (*scanned.notes, *parsed.notes, *resolved.notes, *_slips(diagnostics))
+    return Reading(_annotated(parsed.tree, resolved.blocks, notes), diagnostics)
+
+
+def _refuse_ffll(source: Source, declaration: re.Match[str]) -> Diagnostic:
+    """Return the one message about a text of another language that only looks like FCL (S15a)."""
+    return Diagnostic(
+        code="FCL222",
+        message="this is written for FFLL, whose language is not FCL",
+        places=(Place(Span(source, declaration.start(1), declaration.end(1))),),
+        hint="write `name: REAL;`, the range as `RANGE := (low .. high);`, "
+        "and rules with variables: `IF variable IS term`",
+    )
+
+
+def _slips(diagnostics: Sequence[Diagnostic]) -> list[Note]:
+    """Return a note for each place where the text is read though the standard would have it otherwise."""
+    return [
+        Note(each.code, CODES[each.code], Level.OPEN, place.span)
+        for each in diagnostics
+        if each.code in SLIPS
+        for place in each.places
+        if not place.label
+    ]
+
+
+def _annotated(
+    tree: Tree, blocks: Sequence[FunctionBlock], notes: Sequence[Note]
+) -> tuple[FunctionBlock, ...]:
+    """Return each function block with the notes up to the next one, in the order of the text."""
+    starts = [each.opening.start for each in tree.blocks[1:]]
+    parts: list[list[Note]] = [[] for _ in blocks]
+    for note in sorted(notes, key=_start):
+        parts[bisect_right(starts, _start(note))].append(note)
+    return tuple(replace(block, notes=tuple(own)) for block, own in zip(blocks, parts, strict=True))
+
+
+def _start(note: Note) -> int:
+    return note.span.start if note.span else 0
 
 
 def _outside(diagnostics: Sequence[Diagnostic], verbatim: Sequence[Span]) -> list[Diagnostic]:

@@ -2,8 +2,8 @@
 
 from fcl_sim.fcl import tree
 from fcl_sim.fcl.scope import Declared, Role, Scope
-from fcl_sim.fcl.tokens import Token
-from fcl_sim.model import And, Condition, Degree, Is, Not, Or
+from fcl_sim.fcl.tokens import Kind, Token
+from fcl_sim.model import And, Condition, Degree, Hedge, Is, Not, Or
 
 
 def resolve_condition(scope: Scope, condition: tree.Condition) -> Condition | None:
@@ -16,16 +16,13 @@ def resolve_condition(scope: Scope, condition: tree.Condition) -> Condition | No
             return _is(scope, condition)
         case Token():
             return _degree(scope, condition)
-        case tree.Group():
-            return resolve_condition(scope, condition.argument)
-        case tree.Not():
+        case tree.Group() | tree.Not():
             argument = resolve_condition(scope, condition.argument)
-            return argument and Not(argument)
+            return argument and (Not(argument) if isinstance(condition, tree.Not) else argument)
         case tree.And() | tree.Or():
             return _joined(scope, condition)
         case tree.Member():
-            _refuse_member(scope, condition)
-    return None
+            return _member(scope, condition.structure, condition.member)
 
 
 def nesting_depth(condition: tree.Condition) -> int:
@@ -36,7 +33,7 @@ def nesting_depth(condition: tree.Condition) -> int:
         case tree.Not():
             return nesting_depth(condition.argument)
         case tree.And() | tree.Or():
-            return max(nesting_depth(each) for each in condition.arguments)
+            return max((nesting_depth(each) for each in condition.arguments), default=0)
     return 0
 
 
@@ -52,6 +49,8 @@ def _joined(scope: Scope, condition: tree.And | tree.Or) -> Condition | None:
 def _is(scope: Scope, condition: tree.Is) -> Condition | None:
     if _is_swapped(scope, condition):
         return None
+    if condition.variable.key in scope.instances:
+        return _is_member(scope, condition)
     declared = scope.find(condition.variable)
     if declared is None:
         return None
@@ -60,19 +59,21 @@ def _is(scope: Scope, condition: tree.Is) -> Condition | None:
         if not scope.headless:
             _report_without_terms(scope, declared, condition.variable)
         return None
-    term = scope.find_term(declared, terms, condition.term)
+    term = "" if condition.term is None else scope.find_term(declared, terms, condition.term)
     if declared.role is Role.OUTPUT:
         _require_concluded(scope, declared, condition.variable)
         message = f"`{declared.name}` is an output: what the rules above have accumulated counts here"
         scope.findings.warning("FCL351", message, condition)
     if term is None:
         return None
-    found = Is(declared.name, term, scope.findings.span(condition))
+    found = Is(declared.name, term, scope.findings.span(condition), hedges=_hedges(scope, condition))
     return found if condition.negation is None else Not(found)
 
 
 def _is_swapped(scope: Scope, condition: tree.Is) -> bool:
     """Report `term IS variable` as what it is."""
+    if condition.term is None:
+        return False
     variable = scope.variables.get(condition.term.key)
     terms = scope.terms.get(condition.term.key)
     if condition.variable.key in scope.variables or variable is None or terms is None:
@@ -127,9 +128,36 @@ def _require_concluded(scope: Scope, declared: Declared, at: Token) -> None:
         scope.findings.error("FCL348", message, at, hint="rules are evaluated in the order of the text")
 
 
-def _refuse_member(scope: Scope, condition: tree.Member) -> None:
-    if condition.structure.key in scope.variables:
-        message = "members of structures are not read by this version"
-        scope.findings.error("FCL290", message, condition, hint="compare with a term by IS")
-    else:
-        scope.find(condition.structure)
+def _hedges(scope: Scope, condition: tree.Is) -> tuple[Hedge, ...]:
+    if condition.hedges:
+        words = " ".join(each.text for each in condition.hedges)
+        scope.findings.feature(
+            "hedge", f"the hedge{'' if len(condition.hedges) == 1 else 's'} {words}", condition
+        )
+    return tuple(Hedge(each.key.lower()) for each in condition.hedges)
+
+
+# -- members of structures
+
+
+def _is_member(scope: Scope, condition: tree.Is) -> Condition | None:
+    """Return `structure IS member` as the degree that the member holds (S7)."""
+    if condition.hedges or condition.term is None:
+        message = f"{condition.variable.shown} is a structure, and its members have no hedges"
+        scope.findings.error("FCL309", message, condition)
+        return None
+    found = _member(scope, condition.variable, condition.term)
+    return Not(found) if found is not None and condition.negation is not None else found
+
+
+def _member(scope: Scope, structure: Token, member: Token) -> Condition | None:
+    """Return a member of a structure, which holds a degree (S7)."""
+    if structure.key not in scope.instances:
+        declared = scope.find(structure)
+        if declared is not None:
+            message = f"`{declared.name}` is no structure"
+            scope.findings.error("FCL309", message, structure, hint="compare with a term by IS")
+        return None
+    text = f"{structure.text}.{member.text}"
+    scope.findings.feature("structure", f"`{text}`", member)
+    return _degree(scope, Token(Kind.NAME, text, text.upper(), structure.start))

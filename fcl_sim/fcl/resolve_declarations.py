@@ -1,95 +1,68 @@
 """Declarations → variables of the model (5.2.1)."""
 
+from fcl_sim.fcl.resolve_settings import range_of
+from fcl_sim.fcl.resolve_types import data_type, initial_value, structure_type
 from fcl_sim.fcl.scope import Declared, Role, Scope
-from fcl_sim.fcl.tokens import Token
-from fcl_sim.fcl.tree import Declaration, Declarations, Number
-from fcl_sim.model import DataType, Variable
-
-_WIDTHS = {
-    DataType.SINT: 8,
-    DataType.INT: 16,
-    DataType.DINT: 32,
-    DataType.LINT: 64,
-    DataType.USINT: 8,
-    DataType.UINT: 16,
-    DataType.UDINT: 32,
-    DataType.ULINT: 64,
-}
-"""Bits of the integer types (IEC 61131-3, Table 10)."""
-
-_OTHERS = {"FLOAT": "REAL", "DOUBLE": "LREAL", "INTEGER": "INT", "BOOLEAN": "BOOL"}
-"""What other languages call them."""
+from fcl_sim.fcl.tokens import Kind, Token
+from fcl_sim.fcl.tree import Declaration, Declarations, Structure
+from fcl_sim.model import Structure as ModelStructure
+from fcl_sim.model import Variable
 
 
-def resolve_declarations(scope: Scope, section: Declarations, *, types: bool) -> None:
-    """Declare the variables of a section; `types` says that structure types were passed over."""
+def resolve_declarations(scope: Scope, section: Declarations) -> None:
+    """Declare the variables of a section."""
     scope.incomplete = scope.incomplete or section.damaged
     if section.opening.key not in {each.value for each in Role}:
         scope.incomplete = True
         return
     role = Role(section.opening.key)
     for declaration in section.variables:
-        _declare(scope, role, declaration, types=types)
+        _declare(scope, role, declaration)
 
 
-def _declare(scope: Scope, role: Role, declaration: Declaration, *, types: bool) -> None:
+def _declare(scope: Scope, role: Role, declaration: Declaration) -> None:
     name = declaration.name
-    data_type = DataType.REAL
-    if declaration.type is not None:
-        known = declaration.type.key in {each.value for each in DataType}
-        if not known and types:
-            scope.declare_structure(name)
-            return
-        if known:
-            data_type = DataType(declaration.type.key)
-        else:
-            _report_type(scope, declaration.type)
+    limits = None
+    if declaration.range is not None:
+        scope.findings.feature("range", f"a range for `{name.text}`", declaration.range)
+        limits = range_of(scope, declaration.range)
+    kind = declaration.type
+    structure = scope.structures.get(kind.key) if isinstance(kind, Token) else None
+    if structure is None and isinstance(kind, Structure):
+        structure = _inline(scope, kind, name)
+    if structure is not None:
+        _declare_members(scope, role, declaration, structure)
+        return
+    type_of = data_type(scope, kind)
     initial = None
     if declaration.initial is not None:
-        initial = _initial(scope, data_type, declaration.initial)
-    variable = Variable(name=name.text, type=data_type, initial=initial, span=scope.findings.span(name))
+        initial = initial_value(scope, type_of, declaration.initial)
+    variable = Variable(name.text, type_of, initial, scope.findings.span(name), range=limits)
     scope.declare(Declared(variable, role, name))
 
 
-def _report_type(scope: Scope, token: Token) -> None:
-    known = [each.value for each in DataType]
-
-    def hint() -> str:
-        near = _OTHERS.get(token.key) or scope.findings.near(token.key, known)
-        return f"did you mean {near}?" if near else f"the types of numbers are {', '.join(known)}"
-
-    scope.findings.error("FCL305", f"{token.shown} is not a data type of a number", token, hint)
+def _inline(scope: Scope, structure: Structure, variable: Token) -> ModelStructure:
+    """Return the type of a structure that stands in a declaration, and name it after the variable (S7)."""
+    text = f"{variable.text}_type"
+    name = Token(Kind.NAME, text, text.upper(), variable.start)
+    made = structure_type(scope, structure, name)
+    return scope.structures.setdefault(name.key, made)
 
 
-def _initial(scope: Scope, data_type: DataType, number: Number) -> float | None:
-    limits = _limits(data_type)
-    if limits is None:
-        if number.type != DataType.BOOL:
-            return number.value
-        message = f"a truth value cannot be the initial value of a variable of type {data_type}"
-        scope.findings.error("FCL306", message, number)
-        return None
-    # Compared as binary64: the largest LINT is no number of that kind, its neighbour stands for it.
-    if number.value.is_integer() and float(limits[0]) <= number.value <= float(limits[1]):
-        return number.value
-    shown = scope.findings.span(number).text
-    held = (
-        "0, 1, FALSE or TRUE"
-        if data_type is DataType.BOOL
-        else f"whole numbers from {limits[0]} to {limits[1]}"
-    )
-    message = f"`{shown}` cannot be the initial value of a variable of type {data_type}"
-    scope.findings.error("FCL306", message, number, hint=f"{data_type} holds {held}")
-    return None
-
-
-def _limits(data_type: DataType) -> tuple[int, int] | None:
-    """Return the least and the largest value of a type, None for REAL and LREAL."""
-    if data_type is DataType.BOOL:
-        return 0, 1
-    width = _WIDTHS.get(data_type)
-    if width is None:
-        return None
-    if data_type.startswith("U"):
-        return 0, 2**width - 1
-    return -(2 ** (width - 1)), 2 ** (width - 1) - 1
+def _declare_members(scope: Scope, role: Role, declaration: Declaration, structure: ModelStructure) -> None:
+    """Declare a variable for each member of a structure (S7)."""
+    name = declaration.name
+    if declaration.initial is not None:
+        message = f"`{name.text}` is a structure and cannot have one initial value"
+        hint = f"give the members of `{structure.name}` theirs"
+        scope.findings.error("FCL306", message, declaration.initial, hint)
+    scope.instances[name.key] = structure
+    if name.key in scope.variables:
+        message = f"`{name.text}` is declared twice"
+        scope.report_twice("FCL301", message, name, scope.variables[name.key].token)
+    for member in structure.members:
+        text = f"{name.text}.{member.name}"
+        token = Token(Kind.NAME, text, text.upper(), name.start)
+        span = scope.findings.span(name)
+        variable = Variable(text, member.type, member.initial, span, structure=structure.name)
+        scope.declare(Declared(variable, role, token))

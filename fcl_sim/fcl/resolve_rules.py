@@ -9,7 +9,9 @@ from fcl_sim.fcl.resolve_settings import (
     ACTIVATIONS,
     AND_OPERATORS,
     OR_OPERATORS,
+    PAIRS,
     algorithm,
+    enabled,
     settings_by_key,
 )
 from fcl_sim.fcl.scope import Declared, Role, Scope
@@ -20,23 +22,15 @@ from fcl_sim.model import Conclusion as ModelConclusion
 from fcl_sim.model import Rule as ModelRule
 from fcl_sim.model import RuleBlock as ModelRuleBlock
 
-_PAIRS = dict(zip(AND_OPERATORS, OR_OPERATORS, strict=True))
-_PAIRS_OF_OR = dict(zip(OR_OPERATORS, AND_OPERATORS, strict=True))
+_PAIRS_OF_OR = {other: one for one, other in PAIRS.items()}
 
 
 def resolve_rule_block(scope: Scope, section: RuleBlock, number: int) -> ModelRuleBlock:
     """Return a rule block with the rules that can be used; the `number`-th is so named if it has no name."""
     settings = settings_by_key(scope, section.settings)
     and_operator, or_operator = _operators(scope, settings)
-    activation, accumulation = Activation.MIN, Accumulation.MAX
-    if "ACT" in settings:
-        activation = algorithm(scope, settings["ACT"], ACTIVATIONS, "a method of activation") or activation
-    if "ACCU" in settings:
-        chosen = algorithm(scope, settings["ACCU"], ACCUMULATIONS, "a method of accumulation")
-        accumulation = chosen or accumulation
-    elif not section.damaged:
-        message = "this rule block has no ACCU: MAX is taken"
-        scope.findings.warning("FCL341", message, section.name or section.opening, hint="write `ACCU: MAX;`")
+    activation = algorithm(scope, settings.get("ACT"), ACTIVATIONS) or Activation.MIN
+    accumulation = algorithm(scope, settings.get("ACCU"), ACCUMULATIONS) or Accumulation.MAX
     _check_labels(scope, section.rules)
     resolved = [resolve_rule(scope, each) for each in section.rules]
     return ModelRuleBlock(
@@ -45,6 +39,7 @@ def resolve_rule_block(scope: Scope, section: RuleBlock, number: int) -> ModelRu
         or_operator=or_operator,
         activation=activation,
         accumulation=accumulation,
+        enabled=enabled(scope, settings.get("ENABLED")),
         rules=tuple(each for each in resolved if each is not None),
         span=scope.findings.span(section.name or section.opening),
     )
@@ -65,16 +60,16 @@ def resolve_rule(scope: Scope, rule: Rule) -> ModelRule | None:
 def _operators(scope: Scope, settings: Mapping[str, Setting]) -> tuple[AndOperator, OrOperator]:
     """Return the pair; a missing one is the pair of the other (S10)."""
     and_setting, or_setting = settings.get("AND"), settings.get("OR")
-    chosen_and = algorithm(scope, and_setting, AND_OPERATORS, "an algorithm for AND") if and_setting else None
-    chosen_or = algorithm(scope, or_setting, OR_OPERATORS, "an algorithm for OR") if or_setting else None
+    chosen_and = algorithm(scope, and_setting, AND_OPERATORS)
+    chosen_or = algorithm(scope, or_setting, OR_OPERATORS)
     and_operator = chosen_and or (_PAIRS_OF_OR[chosen_or] if chosen_or else AndOperator.MIN)
-    or_operator = chosen_or or _PAIRS[and_operator]
-    if chosen_and and chosen_or and and_setting and _PAIRS[chosen_and] is not chosen_or:
+    or_operator = chosen_or or PAIRS[and_operator]
+    if chosen_and and chosen_or and and_setting and PAIRS[chosen_and] is not chosen_or:
         scope.findings.warning(
             "FCL342",
             f"AND by {chosen_and} and OR by {chosen_or} are no pair: de Morgan's law does not hold",
             and_setting.keyword,
-            hint=f"the pair of {chosen_and} is {_PAIRS[chosen_and]} (Table 3)",
+            hint=f"the pair of {chosen_and} is {PAIRS[chosen_and]} (Table 3)",
         )
     return and_operator, or_operator
 

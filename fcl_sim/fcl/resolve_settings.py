@@ -1,33 +1,125 @@
-"""Choices by keyword: algorithms and methods (Tables 1, 3, 4 and 5)."""
+"""Choices by keyword: algorithms, methods, ranges and defaults (Tables 1, 3, 4 and 5; S15)."""
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from enum import StrEnum
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.fcl.keywords import OPEN_LEVEL_METHODS, OPEN_LEVEL_OPERATORS
 from fcl_sim.fcl.scope import Scope
 from fcl_sim.fcl.tokens import Token
-from fcl_sim.fcl.tree import Setting
+from fcl_sim.fcl.tree import Default, Flags, Number, Range, Setting
 from fcl_sim.model import Accumulation, Activation, AndOperator, Method, OrOperator
 
 Choice = TypeVar("Choice", bound=StrEnum)
 
-METHODS = (Method.COG, Method.COGS, Method.COA, Method.LM, Method.RM)
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Algorithms(Generic[Choice]):
+    """What a keyword can name: what the tables have, and what is Open Level, by its names in capitals.
+
+    `what` is how a message calls one, `code` the row of `features.FEATURES`.
+    """
+
+    what: str
+    code: str
+    standard: tuple[Choice, ...]
+    others: Mapping[str, Choice]
+
+
+_T_NORMS = {"HAMACHER": "HPROD", "EINSTEIN": "EPROD", "DMIN": "DPROD", "NIPMIN": "NMIN"}
+_S_NORMS = {
+    "PROBOR": "ASUM",
+    "EINSTEIN": "ESUM",
+    "HAMACHER": "HSUM",
+    "DMAX": "DSUM",
+    "NIPMAX": "NMAX",
+}
+"""jFuzzyLogic's names, and fuzzylite's."""
+
+
+def _others(
+    choices: type[Choice], also: Mapping[str, str], standard: tuple[Choice, ...]
+) -> dict[str, Choice]:
+    own = {each.value.upper(): each for each in choices if each not in standard}
+    by_value = {each.value.upper(): each for each in choices}
+    return own | {name: by_value[value] for name, value in also.items() if value in by_value}
+
+
+_METHODS = (Method.COG, Method.COGS, Method.COA, Method.LM, Method.RM)
+METHODS = Algorithms(
+    what="a method of defuzzification",
+    code="method",
+    standard=_METHODS,
+    others={
+        "MM": Method.MM,
+        "MEANOFMAXIMUM": Method.MM,
+        "COGSS": Method.SUM,
+        "WEIGHTEDSUM": Method.SUM,
+        "COGF": Method.COGS,
+        "WEIGHTEDAVERAGE": Method.COGS,
+        "CENTROID": Method.COG,
+        "BISECTOR": Method.COA,
+        "SMALLESTOFMAXIMUM": Method.LM,
+        "LARGESTOFMAXIMUM": Method.RM,
+    },
+)
 """Table 1."""
-AND_OPERATORS = (AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF)
-OR_OPERATORS = (OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM)
-"""Table 3: the pair of an operator stands at the same place."""
-ACTIVATIONS = (Activation.PROD, Activation.MIN)
+_AND = (AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF)
+AND_OPERATORS = Algorithms(
+    what="an algorithm for AND",
+    code="norm",
+    standard=_AND,
+    others=_others(AndOperator, _T_NORMS, _AND),
+)
+_OR = (OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM)
+OR_OPERATORS = Algorithms(
+    what="an algorithm for OR",
+    code="norm",
+    standard=_OR,
+    others=_others(OrOperator, _S_NORMS, _OR),
+)
+"""Table 3."""
+_ACT = (Activation.PROD, Activation.MIN)
+ACTIVATIONS = Algorithms(
+    what="a method of activation",
+    code="norm",
+    standard=_ACT,
+    others=_others(Activation, _T_NORMS, _ACT),
+)
 """Table 4."""
-ACCUMULATIONS = (Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM)
+_ACCU = (Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM)
+ACCUMULATIONS = Algorithms(
+    what="a method of accumulation",
+    code="norm",
+    standard=_ACCU,
+    others=_others(Accumulation, _S_NORMS, _ACCU),
+)
 """Table 5."""
+
+PAIRS: dict[AndOperator, OrOperator] = {
+    AndOperator.MIN: OrOperator.MAX,
+    AndOperator.PROD: OrOperator.ASUM,
+    AndOperator.BDIF: OrOperator.BSUM,
+    AndOperator.HPROD: OrOperator.HSUM,
+    AndOperator.EPROD: OrOperator.ESUM,
+    AndOperator.DPROD: OrOperator.DSUM,
+    AndOperator.NMIN: OrOperator.NMAX,
+}
+"""Table 3, and those of the Open Level."""
 
 
 def settings_by_key(scope: Scope, settings: Iterable[Setting]) -> dict[str, Setting]:
-    """Return the settings of a section by their keyword; a second one is reported."""
+    """Return the settings of a section by their keyword; a second one is reported.
+
+    One that is NONE, as fuzzylite writes it, counts as missing.
+    """
     by_key: dict[str, Setting] = {}
     for setting in settings:
+        if isinstance(setting.value, Token) and setting.value.key == "NONE":
+            scope.findings.feature("none", f"{setting.key} : NONE", setting.value)
+            continue
         first = by_key.setdefault(setting.key, setting)
         if first is not setting:
             message = f"{setting.key} is given twice"
@@ -35,22 +127,74 @@ def settings_by_key(scope: Scope, settings: Iterable[Setting]) -> dict[str, Sett
     return by_key
 
 
-def algorithm(scope: Scope, setting: Setting, choices: Sequence[Choice], what: str) -> Choice | None:
+def algorithm(scope: Scope, setting: Setting | None, choices: Algorithms[Choice]) -> Choice | None:
     """Return the algorithm that a setting names; None, once reported, where it is none of the `choices`."""
-    token = setting.value
-    if not isinstance(token, Token):
+    token = setting.value if setting is not None else None
+    if setting is None or not isinstance(token, Token):
         return None
-    for choice in choices:
+    for choice in choices.standard:
         if choice.upper() == token.key:
             return choice
-    if token.key in (OPEN_LEVEL_METHODS if setting.key == "METHOD" else OPEN_LEVEL_OPERATORS):
-        message = f"{token.shown} is {what} of the Open Level, which this version does not read"
-        scope.findings.error("FCL290", message, token, hint=f"valid here: {listed(choices)}")
-        return None
+    other = choices.others.get(token.key)
+    if other is not None:
+        scope.findings.feature(choices.code, f"{setting.key} : {token.text}", token)
+        return other
 
     def hint() -> str:
-        near = scope.findings.near(token.text, choices)
-        return f"did you mean {near}?" if near else f"valid here: {listed(choices)}"
+        near = scope.findings.near(token.text, choices.standard)
+        return f"did you mean {near}?" if near else f"valid here: {listed(choices.standard)}"
 
-    scope.findings.error("FCL330", f"{token.shown} is not {what}", token, hint)
+    scope.findings.error("FCL330", f"{token.shown} is not {choices.what}", token, hint)
     return None
+
+
+def enabled(scope: Scope, setting: Setting | None) -> bool:
+    """Return what ENABLED says, true where it is missing (S15)."""
+    token = setting.value if setting is not None else None
+    if not isinstance(token, Token):
+        return True
+    if token.key not in {"TRUE", "FALSE"}:
+        message = f"TRUE or FALSE is expected after ENABLED, not {token.shown}"
+        scope.findings.error("FCL201", message, token)
+    scope.findings.feature("enabled", f"ENABLED : {token.text}", token)
+    return token.key != "FALSE"
+
+
+def locks(scope: Scope, setting: Setting | None) -> frozenset[str]:
+    """Return what LOCK names: PREVIOUS, RANGE, both or nothing (S15)."""
+    flags = setting.value if setting is not None else None
+    if not isinstance(flags, Flags):
+        return frozenset()
+    for word in flags.words:
+        if word.key not in {"PREVIOUS", "RANGE"}:
+            scope.findings.error("FCL201", f"PREVIOUS or RANGE is expected, not {word.shown}", word)
+    scope.findings.feature("lock", f"LOCK : {' | '.join(each.text for each in flags.words)}", flags)
+    return frozenset(each.key for each in flags.words)
+
+
+def range_of(scope: Scope, limits: Range) -> tuple[float, float] | None:
+    """Return the limits of a range; None where it has none, or once an empty one has been reported."""
+    low, high = limits.low, limits.high
+    if not (math.isfinite(low.value) and math.isfinite(high.value)):
+        scope.findings.feature("range", "a range without limits", limits)
+        return None
+    if low.value < high.value:
+        return low.value, high.value
+    spans = scope.findings.span(low), scope.findings.span(high)
+    message = f"the range is empty: {spans[0].text} is not below {spans[1].text}"
+    scope.findings.error("FCL337", message, limits)
+    return None
+
+
+def default_of(scope: Scope, setting: Setting | None) -> tuple[float | None, bool]:
+    """Return the default value, None for NC, and whether the previous output goes before it (S15, S30)."""
+    value = setting.value if setting is not None else None
+    held = isinstance(value, Default)
+    number = value.value if isinstance(value, Default) else value
+    if not isinstance(number, Number):
+        return None, False
+    if math.isinf(number.value):
+        scope.findings.error("FCL201", "a number or NC is expected after DEFAULT", number)
+    if held or math.isnan(number.value):
+        scope.findings.feature("default", f"DEFAULT := {scope.findings.span(number).text}", number)
+    return (math.nan if math.isnan(number.value) else number.value), held

@@ -1,18 +1,25 @@
-"""Terms → shapes of the model (5.2.2, 5.2.3, S22)."""
+"""Terms → shapes of the model (5.2.2, 5.2.3, S15, S22)."""
 
 from collections.abc import Sequence
 
+from fcl_sim.fcl.resolve_formulas import resolve_formula, resolve_linear
+from fcl_sim.fcl.resolve_shapes import resolve_named
 from fcl_sim.fcl.scope import Scope, Terms
 from fcl_sim.fcl.tokens import Token
-from fcl_sim.fcl.tree import Number, Pair, Term, Value
-from fcl_sim.model import Point, Points, Shape, Singleton
+from fcl_sim.fcl.tree import Formula, Named, Number, Pair, Term, Value
+from fcl_sim.fcl.tree import Shape as TreeShape
+from fcl_sim.model import Formula as ModelFormula
+from fcl_sim.model import Point, Points, Shape, Singleton, Singletons
 from fcl_sim.model import Term as ModelTerm
+
+MOST_POINTS = 4
+"""Of the Extension Level (Table 9)."""
 
 
 def resolve_terms(
     scope: Scope, names: Terms, terms: Sequence[Term], *, output: bool
 ) -> tuple[ModelTerm, ...]:
-    """Return the terms that can be used and enter the names of all; singletons stand in outputs only."""
+    """Return the terms that can be used and enter the names of all."""
     resolved = []
     for term in terms:
         first = names.names.setdefault(term.name.key, term.name)
@@ -20,25 +27,38 @@ def resolve_terms(
             scope.report_twice("FCL314", f"the term `{first.text}` is defined twice", term.name, first)
         if term.shape is None:
             continue
-        shape = _shape(scope, term.shape, output=output)
+        shape = _shape(scope, term.shape)
+        if shape is not None and not output:
+            shape = _of_input(scope, term.shape, shape)
         if shape is not None:
             resolved.append(ModelTerm(term.name.text, shape, scope.findings.span(term.name)))
     return tuple(resolved)
 
 
-def _shape(scope: Scope, shape: tuple[Pair, ...] | Value, *, output: bool) -> Shape | None:
+def _shape(scope: Scope, shape: TreeShape) -> Shape | None:
     if isinstance(shape, tuple):
         return _points(scope, shape)
-    if not output:
-        scope.findings.error(
-            "FCL316",
-            "a single value cannot be the term of an input: singletons stand in DEFUZZIFY",
-            shape,
-            hint="write points: `(x, degree) (x, degree) …`",
-        )
-        return None
+    if isinstance(shape, Formula):
+        return resolve_formula(scope, shape)
+    if isinstance(shape, Named):
+        return resolve_linear(scope, shape) if shape.name.key == "LINEAR" else resolve_named(scope, shape)
     value = _abscissa(scope, shape, "a singleton")
     return None if value is None else Singleton(value)
+
+
+def _of_input(scope: Scope, written: TreeShape, shape: Shape) -> Shape | None:
+    """Return the shape of an input's term: a single value is one at which the degree is 1 (S15)."""
+    at = written[0] if isinstance(written, tuple) else written
+    if isinstance(shape, ModelFormula):
+        message = "a formula cannot be the term of an input"
+        scope.findings.error("FCL316", message, at, hint="write points: `(x, degree) (x, degree) …`")
+        return None
+    if isinstance(shape, Singleton):
+        message = "a single value is the term of an input: its degree is 1 there and 0 everywhere else"
+        scope.findings.warning("FCL316", message, at, hint="write points: `(x, degree) (x, degree) …`")
+        scope.findings.feature("singletons", "a single value in an input", at)
+        return Singletons((Point(shape.value, 1.0),))
+    return shape
 
 
 def _points(scope: Scope, pairs: Sequence[Pair]) -> Points | None:
@@ -57,6 +77,10 @@ def _points(scope: Scope, pairs: Sequence[Pair]) -> Points | None:
     if len(pairs) == 1:
         message = "a term with one point has the same degree everywhere: 5.2.2 asks for at least two"
         scope.findings.warning("FCL319", message, pairs[0])
+    if len(pairs) > MOST_POINTS:
+        scope.findings.feature("points", f"{len(pairs)} points", pairs[MOST_POINTS])
+    if any(each.degree not in {0.0, 1.0} for each in points):
+        scope.findings.feature("degree", "a degree other than 0 and 1", pairs[0])
     return Points(tuple(points)) if len(points) == len(pairs) else None
 
 
@@ -66,8 +90,8 @@ def _abscissa(scope: Scope, value: Value, use: str) -> float | str | None:
 
 def _degree(scope: Scope, value: Value) -> float | None:
     if isinstance(value, Token):
-        message = "a degree of membership that is a variable is not read by this version"
-        scope.findings.error("FCL290", message, value, hint="variables may stand for the abscissa (5.2.2)")
+        message = "a degree of membership is a number, not a variable"
+        scope.findings.error("FCL317", message, value, hint="variables may stand for the abscissa (5.2.2)")
         return None
     if not 0.0 <= value.value <= 1.0:
         message = f"the degree of membership `{scope.findings.span(value).text}` is not between 0 and 1"

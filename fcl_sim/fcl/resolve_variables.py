@@ -1,10 +1,30 @@
 """FUZZIFY and DEFUZZIFY → the model (5.2.2, 5.2.3)."""
 
-from fcl_sim.fcl.resolve_settings import METHODS, algorithm, settings_by_key
+from collections.abc import Mapping
+
+from fcl_sim.fcl.resolve_settings import (
+    ACCUMULATIONS,
+    METHODS,
+    algorithm,
+    default_of,
+    enabled,
+    locks,
+    range_of,
+    settings_by_key,
+)
 from fcl_sim.fcl.resolve_terms import resolve_terms
 from fcl_sim.fcl.scope import Declared, Role, Scope, Terms
-from fcl_sim.fcl.tree import Defuzzify, Fuzzify, Number, Range, Setting
-from fcl_sim.model import Defuzzification, Fuzzification, Method, Singleton
+from fcl_sim.fcl.tree import Defuzzify, Fuzzify, Range, Setting
+from fcl_sim.model import (
+    Curve,
+    Defuzzification,
+    Formula,
+    Fuzzification,
+    Method,
+    Points,
+    Singleton,
+    Singletons,
+)
 from fcl_sim.model import Term as ModelTerm
 
 
@@ -14,10 +34,19 @@ def resolve_fuzzify(scope: Scope, section: Fuzzify) -> Fuzzification | None:
     terms = Terms(damaged=section.damaged)
     resolved = resolve_terms(scope, terms, section.terms, output=False)
     _enter(scope, section, declared, terms)
+    settings = settings_by_key(scope, section.settings)
+    limits = _range(scope, settings)
+    locked = locks(scope, settings.get("LOCK"))
+    counts = enabled(scope, settings.get("ENABLED"))
     if declared is None or section.variable is None:
         return None
+    if limits is not None:
+        scope.findings.feature("range", f"a range for `{declared.name}`", section.variable)
+        scope.ranges[declared.token.key] = limits
     _require_terms(scope, section)
-    return Fuzzification(declared.name, resolved, scope.findings.span(section.variable))
+    span = scope.findings.span(section.variable)
+    clamped = "RANGE" in locked
+    return Fuzzification(declared.name, resolved, span, enabled=counts, clamped=clamped)
 
 
 def resolve_defuzzify(scope: Scope, section: Defuzzify) -> Defuzzification | None:
@@ -27,22 +56,32 @@ def resolve_defuzzify(scope: Scope, section: Defuzzify) -> Defuzzification | Non
     resolved = resolve_terms(scope, terms, section.terms, output=True)
     _enter(scope, section, declared, terms)
     settings = settings_by_key(scope, section.settings)
-    limits = _range(scope, settings.get("RANGE"))
+    limits = _range(scope, settings)
     method = _method(scope, section, settings.get("METHOD"), resolved)
-    default = _default(scope, section, settings.get("DEFAULT"))
-    if "RANGE" not in settings and not section.damaged and _areas(resolved):
+    default, held = _default(scope, section, settings)
+    locked = locks(scope, settings.get("LOCK"))
+    counts = enabled(scope, settings.get("ENABLED"))
+    accumulation = algorithm(scope, settings.get("ACCU"), ACCUMULATIONS)
+    has_range = "RANGE" in settings or (declared is not None and declared.variable.range is not None)
+    if not (has_range or section.damaged) and _areas(resolved):
         message = f"{_title(section)} has terms with an area but no RANGE: the hull of their points is taken"
         hint = "write `RANGE := (minimum .. maximum);`"
         scope.findings.warning("FCL336", message, section.variable or section.opening, hint)
     if declared is None or section.variable is None:
         return None
     _require_terms(scope, section)
+    if accumulation is not None:
+        scope.findings.feature("accumulation", f"ACCU of `{declared.name}`", settings["ACCU"].keyword)
     return Defuzzification(
         variable=declared.name,
         terms=resolved,
         method=method,
         default=default,
-        range=limits,
+        range=limits if limits is not None else declared.variable.range,
+        accumulation=accumulation,
+        held=held or "PREVIOUS" in locked,
+        clamped="RANGE" in locked,
+        enabled=counts,
         span=scope.findings.span(section.variable),
     )
 
@@ -86,7 +125,7 @@ def _enter(scope: Scope, section: Fuzzify | Defuzzify, declared: Declared | None
 def _require_terms(scope: Scope, section: Fuzzify | Defuzzify) -> None:
     if not section.terms and not section.damaged:
         at = section.variable or section.opening
-        scope.findings.error("FCL320", f"{_title(section)} has no TERM", at)
+        scope.findings.warning("FCL320", f"{_title(section)} has no TERM", at)
 
 
 def _title(section: Fuzzify | Defuzzify) -> str:
@@ -119,7 +158,7 @@ def _method(
                 hint=f"write `METHOD: {fitting};`",
             )
         return fitting
-    chosen = algorithm(scope, setting, METHODS, "a method of defuzzification")
+    chosen = algorithm(scope, setting, METHODS)
     if chosen is None or not terms:
         return fitting
     return _suited(scope, setting, chosen, fitting)
@@ -134,37 +173,28 @@ def _suited(scope: Scope, setting: Setting, chosen: Method, fitting: Method) -> 
     if chosen is Method.COA and fitting is Method.COGS:
         message = "CoA is not applicable to singletons (Table 1, note 3)"
         scope.findings.error("FCL331", message, at, hint="CoGS, LM and RM are")
-    elif chosen is Method.COGS and fitting is Method.COG:
-        message = "CoGS is a method for singletons, and these terms have an area"
+    elif chosen in {Method.COGS, Method.SUM} and fitting is Method.COG:
+        message = f"{chosen} is a method for singletons, and these terms have an area"
         scope.findings.error("FCL331", message, at, hint="CoG, CoA, LM and RM are for areas")
     return chosen
 
 
 def _areas(terms: tuple[ModelTerm, ...]) -> bool:
-    return any(not isinstance(each.shape, Singleton) for each in terms)
+    return any(isinstance(each.shape, Points | Curve) for each in terms)
 
 
 def _singletons(terms: tuple[ModelTerm, ...]) -> bool:
-    return any(isinstance(each.shape, Singleton) for each in terms)
+    return any(isinstance(each.shape, Singleton | Singletons | Formula) for each in terms)
 
 
-def _default(scope: Scope, section: Defuzzify, setting: Setting | None) -> float | None:
-    if setting is None:
-        if not section.damaged:
-            message = f"{_title(section)} has no DEFAULT: NC is taken, no change while no rule is active"
-            hint = "write `DEFAULT := NC;` or a number"
-            scope.findings.warning("FCL335", message, section.variable or section.opening, hint)
-        return None
-    return setting.value.value if isinstance(setting.value, Number) else None
+def _default(scope: Scope, section: Defuzzify, settings: Mapping[str, Setting]) -> tuple[float | None, bool]:
+    if "DEFAULT" not in settings and not section.damaged:
+        message = f"{_title(section)} has no DEFAULT: NC is taken, no change while no rule is active"
+        hint = "write `DEFAULT := NC;` or a number"
+        scope.findings.warning("FCL335", message, section.variable or section.opening, hint)
+    return default_of(scope, settings.get("DEFAULT"))
 
 
-def _range(scope: Scope, setting: Setting | None) -> tuple[float, float] | None:
-    if setting is None or not isinstance(setting.value, Range):
-        return None
-    low, high = setting.value.low, setting.value.high
-    if low.value < high.value:
-        return low.value, high.value
-    spans = scope.findings.span(low), scope.findings.span(high)
-    message = f"the range is empty: {spans[0].text} is not below {spans[1].text}"
-    scope.findings.error("FCL337", message, setting.value)
-    return None
+def _range(scope: Scope, settings: Mapping[str, Setting]) -> tuple[float, float] | None:
+    value = settings["RANGE"].value if "RANGE" in settings else None
+    return range_of(scope, value) if isinstance(value, Range) else None

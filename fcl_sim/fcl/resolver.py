@@ -1,16 +1,27 @@
 """Syntax tree → model: strict, because it knows what exists and can say what was meant."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 from fcl_sim.diagnostics import Diagnostic
 from fcl_sim.fcl.findings import Findings
+from fcl_sim.fcl.resolve_accumulation import settle
 from fcl_sim.fcl.resolve_declarations import resolve_declarations
 from fcl_sim.fcl.resolve_rules import resolve_rule_block
+from fcl_sim.fcl.resolve_types import resolve_structures
 from fcl_sim.fcl.resolve_variables import resolve_defuzzify, resolve_fuzzify
 from fcl_sim.fcl.scope import Declared, Role, Scope
-from fcl_sim.fcl.tree import Block, Declarations, Defuzzify, Fuzzify, Options, RuleBlock, Tree
-from fcl_sim.model import FunctionBlock, Variable
-from fcl_sim.model import RuleBlock as ModelRuleBlock
+from fcl_sim.fcl.tree import (
+    Block,
+    Declarations,
+    Defuzzify,
+    Fuzzify,
+    Options,
+    RuleBlock,
+    Structures,
+    Tree,
+)
+from fcl_sim.model import FunctionBlock, Note, Structure, Variable
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,12 +30,15 @@ class Resolution:
 
     blocks: tuple[FunctionBlock, ...]
     diagnostics: tuple[Diagnostic, ...]
+    notes: tuple[Note, ...]
 
 
 def resolve(tree: Tree, name: str) -> Resolution:
     """Return the function blocks of a text; one without a name is called `name` (S11)."""
     findings = Findings(tree.source)
-    blocks = tuple(_function_block(findings, each, name, types=tree.types) for each in tree.blocks)
+    types = Scope(findings)
+    resolve_structures(types, tree.types)
+    blocks = tuple(_function_block(findings, each, name, types.structures) for each in tree.blocks)
     seen: dict[str, Block] = {}
     for block, model in zip(tree.blocks, blocks, strict=True):
         first = seen.setdefault(model.name.upper(), block)
@@ -35,22 +49,27 @@ def resolve(tree: Tree, name: str) -> Resolution:
                 block.heading or block.opening,
                 related=(findings.place(first.heading or first.opening, "first here"),),
             )
-    return Resolution(blocks, findings.diagnostics())
+    return Resolution(blocks, findings.diagnostics(), tuple(findings.notes))
 
 
-def _function_block(findings: Findings, block: Block, name: str, *, types: bool) -> FunctionBlock:
+def _function_block(
+    findings: Findings, block: Block, name: str, types: Mapping[str, Structure]
+) -> FunctionBlock:
     scope = Scope(findings)
+    scope.structures |= types
     scope.incomplete = scope.headless = block.damaged
     sections = block.sections
+    resolve_structures(scope, [each for each in sections if isinstance(each, Structures)])
     for each in sections:
         if isinstance(each, Declarations):
-            resolve_declarations(scope, each, types=types)
+            resolve_declarations(scope, each)
     fuzzifications = [resolve_fuzzify(scope, each) for each in sections if isinstance(each, Fuzzify)]
     defuzzifications = [resolve_defuzzify(scope, each) for each in sections if isinstance(each, Defuzzify)]
     written = [each for each in sections if isinstance(each, RuleBlock)]
-    rule_blocks = [resolve_rule_block(scope, each, number) for number, each in enumerate(written, start=1)]
+    numbered = [resolve_rule_block(scope, each, number) for number, each in enumerate(written, start=1)]
     _check_names(scope, written)
-    _check_accumulation(scope, rule_blocks)
+    outputs = [each for each in defuzzifications if each is not None]
+    rule_blocks, settled = settle(scope, written, numbered, outputs)
     if not (block.damaged or scope.unknown or any(each.damaged for each in written)):
         _check_outputs(scope)
     scope.note_spellings()
@@ -60,15 +79,28 @@ def _function_block(findings: Findings, block: Block, name: str, *, types: bool)
         outputs=_variables(scope, Role.OUTPUT),
         variables=_variables(scope, Role.LOCAL),
         fuzzifications=tuple(each for each in fuzzifications if each is not None),
-        defuzzifications=tuple(each for each in defuzzifications if each is not None),
-        rule_blocks=tuple(rule_blocks),
+        defuzzifications=settled,
+        rule_blocks=rule_blocks,
         options=tuple(each.text for each in sections if isinstance(each, Options)),
+        structures=_used(scope),
         span=findings.span(block.heading or block.opening),
     )
 
 
 def _variables(scope: Scope, role: Role) -> tuple[Variable, ...]:
-    return tuple(each.variable for each in scope.variables.values() if each.role is role)
+    """Return the variables of a section; an output's range stands in its Defuzzification."""
+    found = []
+    for key, declared in scope.variables.items():
+        if declared.role is role:
+            limits = None if role is Role.OUTPUT else scope.ranges.get(key, declared.variable.range)
+            found.append(replace(declared.variable, range=limits))
+    return tuple(found)
+
+
+def _used(scope: Scope) -> tuple[Structure, ...]:
+    """Return the structure types that a variable has, in the order of their definition."""
+    used = {each.name for each in scope.instances.values()}
+    return tuple(each for each in scope.structures.values() if each.name in used)
 
 
 def _check_names(scope: Scope, rule_blocks: list[RuleBlock]) -> None:
@@ -82,23 +114,6 @@ def _check_names(scope: Scope, rule_blocks: list[RuleBlock]) -> None:
             scope.report_twice(
                 "FCL352", f"two rule blocks have the name {each.name.shown}", each.name, first.name
             )
-
-
-def _check_accumulation(scope: Scope, rule_blocks: list[ModelRuleBlock]) -> None:
-    """Warn where rule blocks that conclude on one output accumulate differently (S26)."""
-    for output in _outputs(scope):
-        concluding = [each for each in rule_blocks if _concludes(each, output.name)]
-        if len({each.accumulation for each in concluding}) > 1:
-            scope.findings.warning(
-                "FCL354",
-                f"rule blocks with different ACCU conclude on `{output.name}`: each accumulates by its own, "
-                "and MAX joins them",
-                output.token,
-            )
-
-
-def _concludes(rule_block: ModelRuleBlock, output: str) -> bool:
-    return any(each.variable == output for rule in rule_block.rules for each in rule.conclusions)
 
 
 def _check_outputs(scope: Scope) -> None:

@@ -12,12 +12,12 @@ _PATTERN = re.compile(
     [\s\ufeff]*+
     (?: ([^\W\d]\w*+)(?!\#)
       | ((?:[0-9][0-9_]*+(?:\.(?!\.)[0-9_]*+)?|\.[0-9][0-9_]*+)(?:[eE][+\-]?[0-9][0-9_]*+)?)(?![\w\#]|\.\w)
-      | (:=|\.\.|[:;,).=+\-^|]|\((?!\*)|/(?![/*])|\*(?!\)))
-      | (\(\*.*?(?:\*\)|\Z)|/\*.*?(?:\*/|\Z)|//[^\n]*+)
+      | (:=|\.\.|[:;,).=+\-^|%]|\((?!\*)|/(?![/*])|\*(?!\)))
+      | (\(\*.*?(?:\*\)|\Z)|/\*.*?(?:\*/|\Z)|//[^\n]*+|\#[^\n]*+)
       | ((?:[^\W\d]|[0-9])\w*+\#(?:[+\-](?=\w))?(?:[\w\#]|\.(?=[\w])|(?<=[eE])[+\-](?=[0-9]))*)
       | ([0-9]\w*+(?:\.\w++)*)
       | (\*\))
-      | ([^\s\w\ufeff:;,().=+\-*/^|]++|.)
+      | ([^\s\w\ufeff:;,().=+\-*/^|%\#]++|.)
       | \Z
     )
     """,
@@ -64,14 +64,22 @@ def scan(source: Source) -> Scan:
     findings = Findings(source)
     tokens: list[Token] = []
     comments: list[Comment] = []
+    skipped = 0
     for match in _PATTERN.finditer(source.text):
         group = match.lastindex
         if group is None:
             break
         text = match[group]
         start = match.start(group)
+        if start < skipped:
+            continue
+        if text == "%" and _begins_line(source.text, start):
+            text, group = _line(source.text, start), _COMMENT
+            skipped = start + len(text)
         if group == _COMMENT:
             comments.append(Comment(text, start))
+            if text[0] in "#%":
+                findings.feature("comment", f"a comment that begins with {text[0]}", comments[-1])
             if not _closed(text):
                 tokens.append(_unclosed(findings, text, start))
             continue
@@ -83,12 +91,26 @@ def scan(source: Source) -> Scan:
     if not source.text.isascii():
         _report_letters(findings, tokens)
     return Scan(
-        source=source, tokens=tuple(tokens), comments=tuple(comments), diagnostics=findings.diagnostics()
+        source=source,
+        tokens=tuple(tokens),
+        comments=tuple(comments),
+        diagnostics=findings.diagnostics(),
+        notes=tuple(findings.notes),
     )
 
 
+def _begins_line(text: str, start: int) -> bool:
+    """Return whether only space stands before `start` in its line."""
+    return not text[text.rfind("\n", 0, start) + 1 : start].strip()
+
+
+def _line(text: str, start: int) -> str:
+    end = text.find("\n", start)
+    return text[start:] if end < 0 else text[start:end]
+
+
 def _closed(comment: str) -> bool:
-    if comment.startswith("//"):
+    if comment[0] in "#%" or comment.startswith("//"):
         return True
     closing = "*)" if comment[0] == "(" else "*/"
     return len(comment) >= len("(**)") and comment.endswith(closing)

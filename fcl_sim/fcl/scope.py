@@ -6,7 +6,7 @@ from enum import Enum
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.fcl.findings import Findings
 from fcl_sim.fcl.tokens import Token
-from fcl_sim.model import Variable
+from fcl_sim.model import Structure, Variable
 
 
 class Role(Enum):
@@ -55,7 +55,12 @@ class Scope:
         self.incomplete = False
         self.headless = False
         self.unknown = False
-        self._structures: set[str] = set()
+        self.structures: dict[str, Structure] = {}
+        """Structure types by their key."""
+        self.ranges: dict[str, tuple[float, float]] = {}
+        """Ranges of inputs by the key of the input (S15)."""
+        self.instances: dict[str, Structure] = {}
+        """Variables that are structures, and their types (S7)."""
         self._spellings: dict[str, dict[str, Token]] = {}
 
     # -- variables
@@ -66,10 +71,6 @@ class Scope:
         if first is not declared:
             self.report_twice("FCL301", f"`{first.name}` is declared twice", declared.token, first.token)
 
-    def declare_structure(self, token: Token) -> None:
-        """Add a variable of a type that was not read: nothing is said about its use."""
-        self._structures.add(token.key)
-
     def find(self, token: Token) -> Declared | None:
         """Return the variable of a name; None, once that has been reported, where there is none."""
         declared = self.variables.get(token.key)
@@ -77,11 +78,20 @@ class Scope:
             self.respell(token, declared.name)
             return declared
         self.unknown = True
-        if not self.incomplete and token.key not in self._structures:
+        if token.key in self.instances:
+            self.report_structure(token)
+        elif not self.incomplete:
             self.findings.error(
                 "FCL302", f"{token.shown} is not declared", token, lambda: self.variable_hint(token)
             )
         return None
+
+    def report_structure(self, token: Token) -> None:
+        """Report a structure in the place of one of its members."""
+        structure = self.instances[token.key]
+        members = listed(f"{token.text}.{each.name}" for each in structure.members)
+        message = f"{token.shown} is a structure: one of its members is expected"
+        self.findings.error("FCL309", message, token, hint=f"valid here: {members}")
 
     def find_input(self, token: Token, use: str) -> str | None:
         """Return the spelling of an input whose value is used as a number; anything else is reported."""

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from fcl_sim.diagnostics import Source
 from fcl_sim.fcl import tree
+from fcl_sim.fcl.findings import Spanned
 from fcl_sim.fcl.tokens import Comment, Scan, Token
 from fcl_sim.model import (
     And,
@@ -66,15 +67,17 @@ def _section(source: Source, section: tree.Section) -> Iterator[str]:
         case tree.Declarations():
             yield section.opening.key
             for each in section.variables:
-                type_name = each.type.text if each.type else "?"
                 initial = f" := {_words(source, each.initial)}" if each.initial else ""
-                yield f"{STEP}{each.name.text}: {type_name}{initial}"
+                limits = f" RANGE {_words(source, each.range)}" if each.range else ""
+                yield f"{STEP}{each.name.text}: {_type(each)}{initial}{limits}"
+        case tree.Structures():
+            for structure in section.structures:
+                yield from _structure(structure)
         case tree.Fuzzify() | tree.Defuzzify():
             yield f"{section.opening.key} {section.variable.text if section.variable else '?'}"
             for term in section.terms:
                 yield f"{STEP}TERM {term.name.text} := {_shape(source, term.shape)}"
-            if isinstance(section, tree.Defuzzify):
-                yield from _settings(source, section.settings)
+            yield from _settings(source, section.settings)
         case tree.RuleBlock():
             yield f"RULEBLOCK {section.name.text if section.name else '(no name)'}"
             yield from _settings(source, section.settings)
@@ -85,12 +88,24 @@ def _section(source: Source, section: tree.Section) -> Iterator[str]:
             yield f"OPTIONS, {len(section.text)} characters"
 
 
-def _words(source: Source, part: tree.Number | tree.Range | Token | tree.Pair) -> str:
+def _type(declaration: tree.Declaration) -> str:
+    if isinstance(declaration.type, tree.Structure):
+        return "STRUCT"
+    return declaration.type.text if declaration.type else "?"
+
+
+def _structure(structure: tree.Structure) -> Iterator[str]:
+    yield f"STRUCT {structure.name.text if structure.name else '(no name)'}"
+    for each in structure.members:
+        yield f"{STEP}{each.name.text}: {_type(each)}"
+
+
+def _words(source: Source, part: Spanned) -> str:
     """Return a part of the text as it is written, on one line."""
     return " ".join(source.text[part.start : part.end].split())
 
 
-def _shape(source: Source, shape: tuple[tree.Pair, ...] | tree.Value | None) -> str:
+def _shape(source: Source, shape: tree.Shape | None) -> str:
     if shape is None:
         return "?"
     parts = shape if isinstance(shape, tuple) else (shape,)
@@ -115,8 +130,8 @@ def _rule(source: Source, rule: tree.Rule) -> Iterator[str]:
 def _condition(condition: tree.Condition) -> Iterator[str]:
     match condition:
         case tree.Is():
-            negation = "NOT " if condition.negation else ""
-            yield f"{condition.variable.text} IS {negation}{condition.term.text}"
+            words = [condition.negation, *condition.hedges, condition.term]
+            yield " ".join([condition.variable.text, "IS", *(each.text for each in words if each)])
         case Token():
             yield condition.text
         case tree.Member():

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from fcl_sim.diagnostics import Diagnostic, Source, Span
+from fcl_sim.model import Note
 
 SHOWN_LENGTH = 40
 
@@ -53,10 +54,19 @@ class Token:
 
 @dataclass(frozen=True, slots=True)
 class Comment:
-    """A comment with its signs, beginning at offset `start` (S13)."""
+    """A comment with its signs, beginning at offset `start` (S13).
+
+    To the end of the line go those that begin with `//`, and fuzzylite's with
+    `#`, or with `%` at the beginning of a line (S15).
+    """
 
     text: str
     start: int
+
+    @property
+    def end(self) -> int:
+        """Offset behind the last character."""
+        return self.start + len(self.text)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,3 +77,4 @@ class Scan:
     tokens: tuple[Token, ...]
     comments: tuple[Comment, ...]
     diagnostics: tuple[Diagnostic, ...]
+    notes: tuple[Note, ...] = ()

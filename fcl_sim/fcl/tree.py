@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from fcl_sim.diagnostics import Source, Span
 from fcl_sim.fcl.tokens import Token
+from fcl_sim.model import Expression
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,42 +24,6 @@ class Number:
 
 Value = Number | Token
 """A number, or the name of the variable that holds one."""
-
-
-@dataclass(frozen=True, slots=True)
-class Declaration:
-    """One variable of a declaration `a, b: REAL := 0.5;`."""
-
-    name: Token
-    type: Token | None
-    initial: Number | None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Declarations:
-    """A section between VAR_INPUT, VAR_OUTPUT or VAR (`opening`) and END_VAR."""
-
-    opening: Token
-    variables: tuple[Declaration, ...]
-    damaged: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Pair:
-    """A point in parentheses: abscissa and degree."""
-
-    x: Value
-    degree: Value
-    start: int
-    end: int
-
-
-@dataclass(frozen=True, slots=True)
-class Term:
-    """`TERM name := …;` with points, a number, or the name of a variable."""
-
-    name: Token
-    shape: tuple[Pair, ...] | Value | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +45,132 @@ class Range:
 
 
 @dataclass(frozen=True, slots=True)
+class Declaration:
+    """One variable of a declaration `a, b: REAL := 0.5;`, with what RANGE says of it.
+
+    `type` is the name of a type, or the structure that stands in its place.
+    """
+
+    name: Token
+    type: "Token | Structure | None"
+    initial: Number | None
+    range: Range | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Declarations:
+    """A section between VAR_INPUT, VAR_OUTPUT or VAR (`opening`) and END_VAR."""
+
+    opening: Token
+    variables: tuple[Declaration, ...]
+    damaged: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Structure:
+    """`name: STRUCT … END_STRUCT`, `STRUCT name … END_STRUCT` or, with its variable, without a name (S7)."""
+
+    keyword: Token
+    name: Token | None
+    members: tuple[Declaration, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Structures:
+    """A section between TYPE and END_TYPE, or a STRUCT without them (`opening`)."""
+
+    opening: Token
+    structures: tuple[Structure, ...]
+    damaged: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """A point in parentheses: abscissa and degree."""
+
+    x: Value
+    degree: Value
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A membership function by its name: `GAUSS 2 1`, `Triangle (0, 1, 2)`, `SINGLETONS (0, 1) (1, 0.5)`.
+
+    Parentheses and commas between the arguments mean nothing.
+    """
+
+    name: Token
+    arguments: tuple[Value, ...]
+    end: int
+
+    @property
+    def start(self) -> int:
+        """Offset of the name."""
+        return self.name.start
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """`FUNCTION expression`; the names in it mean nothing yet."""
+
+    name: Token
+    expression: Expression
+    end: int
+
+    @property
+    def start(self) -> int:
+        """Offset of the keyword."""
+        return self.name.start
+
+
+Shape = tuple[Pair, ...] | Value | Named | Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """`TERM name := …;` with points, a number, the name of a variable, or a shape of the Open Level."""
+
+    name: Token
+    shape: Shape | None
+
+
+@dataclass(frozen=True, slots=True)
+class Default:
+    """`number | NC` (fuzzylite): the number is given out once, then the previous output."""
+
+    value: Number
+
+    @property
+    def start(self) -> int:
+        """Offset of the number."""
+        return self.value.start
+
+    @property
+    def end(self) -> int:
+        """Offset behind the number."""
+        return self.value.end
+
+
+@dataclass(frozen=True, slots=True)
+class Flags:
+    """`PREVIOUS | RANGE` (fuzzylite)."""
+
+    words: tuple[Token, ...]
+
+    @property
+    def start(self) -> int:
+        """Offset of the first word."""
+        return self.words[0].start
+
+    @property
+    def end(self) -> int:
+        """Offset behind the last word."""
+        return self.words[-1].end
+
+
+@dataclass(frozen=True, slots=True)
 class Setting:
     """A choice by keyword: `METHOD: CoGS`, `DEFAULT := 0`, `RANGE := (0 .. 1)`, `AND: MIN`.
 
@@ -89,7 +180,7 @@ class Setting:
 
     key: str
     keyword: Token
-    value: Token | Number | Range | None
+    value: Token | Number | Range | Default | Flags | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,6 +190,7 @@ class Fuzzify:
     opening: Token
     variable: Token | None
     terms: tuple[Term, ...]
+    settings: tuple[Setting, ...]
     damaged: bool
 
 
@@ -115,13 +207,14 @@ class Defuzzify:
 
 @dataclass(frozen=True, slots=True)
 class Is:
-    """`variable IS NOT term`; NOT may be absent."""
+    """`variable IS NOT hedges term`; NOT may be absent, and the term behind the hedge ANY."""
 
     variable: Token
     negation: Token | None
-    term: Token
+    term: Token | None
     start: int
     end: int
+    hedges: tuple[Token, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,7 +304,7 @@ class Options:
     end: int
 
 
-Section = Declarations | Fuzzify | Defuzzify | RuleBlock | Options
+Section = Declarations | Structures | Fuzzify | Defuzzify | RuleBlock | Options
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,11 +331,11 @@ class Tree:
     """A whole text.
 
     `verbatim` are the stretches that are not FCL: options, and text behind the
-    last function block. `types` says that structure types were passed over, so
-    that a data type may be one of them.
+    last function block. `types` are the structure types that stand outside of
+    function blocks: all blocks see them.
     """
 
     source: Source
     blocks: tuple[Block, ...]
     verbatim: tuple[Span, ...]
-    types: bool
+    types: tuple[Structures, ...]

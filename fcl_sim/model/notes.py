@@ -16,7 +16,11 @@ class Level(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """A feature of the text: `code` is a row of `diagnostics.codes.CODES`, `feature` says what is written."""
+    """A feature of the text: `code` says of which kind, `feature` what is written.
+
+    The reader's vocabulary of codes is in `fcl.features`; a slip that is read
+    nevertheless has the code of its finding.
+    """
 
     code: str
     feature: str

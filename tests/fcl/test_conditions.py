@@ -115,10 +115,13 @@ def test_a_variable_alone_is_a_degree_and_local_ones_follow_their_conclusion(): 
     assert block(text).rule_blocks[0].rules[1].condition == And((Degree("wish"), low))
 
 
-def test_members_of_structures_are_seen_and_refused():  # S7
-    for text in ("temp.brown", "temp = brown"):
+def test_a_number_has_no_members():  # S7
+    for text, message in (
+        ("temp.brown", "`temp.brown` is not declared"),
+        ("temp = brown", "`temp` is no structure"),
+    ):
         (diagnostic,) = fcl.read(with_rule(f"RULE 1: IF {text} AND level IS low THEN valve IS inlet;")).errors
-        assert diagnostic.message == "members of structures are not read by this version"
+        assert diagnostic.message == message
 
 
 def test_the_tree_keeps_the_parentheses_of_the_text():

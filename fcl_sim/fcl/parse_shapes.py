@@ -1,0 +1,48 @@
+"""Membership functions by name, in the spellings of both families (Open Level, S15)."""
+
+from fcl_sim.fcl.cursor import Cursor
+from fcl_sim.fcl.parse_expressions import expression
+from fcl_sim.fcl.parse_values import at_extreme, at_value, limit, value
+from fcl_sim.fcl.tree import Formula, Named, Value
+
+_PARAMETER = "a parameter, a number or the name of a variable,"
+
+
+def at_shape(cursor: Cursor) -> bool:
+    """Return whether a name comes next, and what could be its parameters."""
+    following = cursor.ahead()
+    return following.key == "(" or (at_value(following) and not cursor.at_statement(1))
+
+
+def shape(cursor: Cursor) -> Named | Formula:
+    """Read `shape ::= 'FUNCTION' expression | shape_name group {[','] group}` (S15).
+
+    `group ::= value | '(' value {[','] value} ')'`. Which shapes there are is
+    the resolver's knowledge. In fuzzylite's `Function` LOG is the natural
+    logarithm.
+    """
+    name = cursor.advance()
+    if name.key == "FUNCTION":
+        made = expression(cursor, natural=name.text == "Function")
+        return Formula(name, made, cursor.last.end)
+    values = [*_group(cursor)]
+    while (
+        cursor.take(",") or cursor.token.key == "(" or (at_value(cursor.token) and not cursor.at_statement())
+    ):
+        values += _group(cursor)
+    return Named(name, tuple(values), cursor.last.end)
+
+
+def _group(cursor: Cursor) -> list[Value]:
+    if not cursor.take("("):
+        return [_parameter(cursor)]
+    values = [_parameter(cursor)]
+    while cursor.take(",") or at_value(cursor.token):
+        values.append(_parameter(cursor))
+    if not cursor.take(")"):
+        raise cursor.stray("`)` is expected behind the parameters", code="FCL207")
+    return values
+
+
+def _parameter(cursor: Cursor) -> Value:
+    return limit(cursor, _PARAMETER) if at_extreme(cursor) else value(cursor, _PARAMETER)
