@@ -38,7 +38,7 @@ CODES: dict[str, str] = {
     "FCL220": "a qualifier has no effect",
     "FCL221": "a function block's name is not an identifier",
     "FCL222": "a text is written for FFLL",
-        "FCL301": "a name is declared twice",
+    "FCL301": "a name is declared twice",
     "FCL302": "a name is not declared",
     "FCL303": "a variable must be an input",
     "FCL304": "a name has several spellings",
