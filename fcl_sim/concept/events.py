@@ -1,8 +1,9 @@
 """What a block reports when it runs: the manual's run-time errors, and overflow.
 
-An error leaves the outputs as they were and sets ENO to 0 (pp. 85, 86); with
-a warning the block runs and ENO stays 1 (p. 81). Kernels return a number:
-0 for nothing, positive for an error, negative for a warning.
+An error sets ENO to 0 (pp. 84, 86) and here leaves the outputs as they were,
+of which the manual says nothing; with a warning the block runs and ENO stays 1
+(p. 81). Kernels return a number: 0 for nothing, positive for an error,
+negative for a warning.
 """
 
 from enum import StrEnum
