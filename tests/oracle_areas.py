@@ -38,7 +38,7 @@ class Contribution:
 
 @dataclass(frozen=True)
 class Area:
-    """An accumulated membership function: straight pieces (left, value, right, value), and values at knots."""
+    """An accumulated membership function: straight pieces (a, value, b, value), and values at knots."""
 
     low: Fraction
     high: Fraction
@@ -118,7 +118,7 @@ def summed(members: list[Contribution], divisor: Fraction, algorithm: Accumulati
 
 
 def largest_sum(members: list[Contribution], knots: list[Fraction]) -> Fraction:
-    """Return what NSUM divides by (S25): between knots the sum is straight, so a knot has its largest value."""
+    """Return what NSUM divides by (S25): between knots the sum is straight, so one of them has it."""
     return max(ONE, *(sum(member(u) for member in members) for u in knots))
 
 

@@ -124,15 +124,20 @@ def test_what_the_reader_noticed_stays_with_the_block():
 
 
 def test_what_cannot_be_evaluated_points_into_the_text():
-    areas = CRANE.replace("TERM zero := 0;", "TERM zero := (-1, 0) (0, 1) (1, 0);").replace(
-        "TERM pos_medium := 9;", "TERM pos_medium := (8, 0) (9, 1) (10, 0);"
-    )
-    areas = areas.replace("METHOD: CoGS;", "METHOD: CoG; RANGE := (-1 .. 10);")
+    huge = CRANE.replace("TERM pos_medium := 9;", "TERM pos_medium := 1e301;")
     with pytest.raises(InputFault) as fault:
-        fcl_sim.loads(areas, name="areas.fcl")
+        fcl_sim.loads(huge, name="huge.fcl")
     assert str(fault.value).splitlines()[0] == (
-        "areas.fcl:18:10: error[FCL401]: terms of `power` have areas; not evaluated yet"
+        "huge.fcl:19:10: error[FCL407]: singletons of `power` exceed what binary64 can carry"
     )
+
+
+def test_terms_with_areas_are_evaluated():
+    areas = CRANE.replace("TERM zero := 0;", "TERM zero := (-9, 0) (0, 1) (9, 0);").replace(
+        "TERM pos_medium := 9;", "TERM pos_medium := (0, 0) (9, 1) (18, 0);"
+    )
+    areas = areas.replace("METHOD: CoGS;", "METHOD: LM; RANGE := (-9 .. 18);")
+    assert float(fcl_sim.loads(areas).evaluate({"distance": 12.0, "angle": 4.0})["power"]) == 7.2
 
 
 def test_the_package_names_what_it_has():

@@ -1,14 +1,23 @@
 """Defuzzification (Tables 1 and 2)."""
 
+from math import sqrt
+
 from numpy import float64
 from numpy.typing import NDArray
 
-from fcl_sim.jit import inlined, u
+from fcl_sim.arithmetic.operators import maximum, minimum
+from fcl_sim.arithmetic.polyline import VERTEX_SIZE
+from fcl_sim.jit import flat, inlined, u
+
+Floats = NDArray[float64]
+
+TIE = 1.0 - 2.0**-44
+"""Degrees, or areas, whose ratio lies between this and 1 are equal: they were rounded."""
 
 
 @inlined
 def moments_of_singletons(
-    places: NDArray[float64], place: int, degrees: NDArray[float64], degree: int, count: int
+    places: Floats, place: int, degrees: Floats, degree: int, count: int
 ) -> tuple[float, float]:
     """Return the two sums of CoGS (Table 2): of place times degree, and of the degrees.
 
@@ -23,3 +32,75 @@ def moments_of_singletons(
         moment += places[u(place + index)] * first + places[u(place + index + 1)] * second
         total += first + second
     return moment, total
+
+
+@flat
+def centre_of_gravity(memory: Floats, first: int, end: int, low: float, scale: float) -> tuple[float, float]:
+    """Return twice the area of a polyline times `scale`, and CoG (Table 2) as its distance from `low`.
+
+    Lengths are multiplied by `scale`, so that products of them neither
+    overflow nor vanish. Every summand is positive: nothing cancels. The
+    distance is 0 where there is no area.
+    """
+    area = 0.0
+    moment = 0.0
+    x = memory[u(first)]
+    degree = memory[u(first + 1)]
+    arm = (x - low) * scale
+    for vertex in range(first + VERTEX_SIZE, end, VERTEX_SIZE):
+        following = memory[u(vertex)]
+        next_degree = memory[u(vertex + 1)]
+        next_arm = (following - low) * scale
+        width = (following - x) * scale
+        both = degree + next_degree
+        area += width * both
+        moment += width * (arm * (both + degree) + next_arm * (both + next_degree))
+        x, degree, arm = following, next_degree, next_arm
+    return area, moment / (3.0 * area) / scale if area > 0.0 else 0.0
+
+
+@flat
+def centre_of_area(memory: Floats, first: int, end: int, scale: float, top: float) -> float:
+    """Return CoA (Table 2): half the area lies on each side; the middle of a gap there (S33a).
+
+    `top` is the largest degree; degrees count relative to it.
+    """
+    whole = 0.0
+    for vertex in range(first + VERTEX_SIZE, end, VERTEX_SIZE):
+        width = (memory[u(vertex)] - memory[u(vertex - 2)]) * scale
+        whole += width * (memory[u(vertex - 1)] / top + memory[u(vertex + 1)] / top)
+    half = 0.5 * whole
+    before = 0.0  # twice the area, as whole is
+    gap = solution = memory[u(first)]
+    held = False
+    for vertex in range(first + VERTEX_SIZE, end, VERTEX_SIZE):
+        x = memory[u(vertex - 2)]
+        following = memory[u(vertex)]
+        degree = memory[u(vertex - 1)] / top
+        next_degree = memory[u(vertex + 1)] / top
+        width = (following - x) * scale
+        own = width * (degree + next_degree)
+        if own > 0.0:
+            if before >= TIE * half and (x > gap or degree == 0.0):
+                return float(0.5 * gap + 0.5 * x)
+            if held:
+                break
+            if before + own > half:
+                rest = maximum(0.0, half - before)
+                root = sqrt(maximum(0.0, degree * degree + (next_degree - degree) / width * rest))
+                solution = minimum(following, x + rest / (degree + root) / scale)
+                if TIE * (before + own) > half:
+                    break
+                held = True  # a gap may begin where this piece ends
+            gap = following
+        before += own
+    return float(solution)
+
+
+@flat
+def extreme_maximum(memory: Floats, first: int, end: int, top: float, direction: int) -> float:
+    """Return the vertex farthest left (`direction` 1) or right (-1) that reaches `top`: LM, RM (S34)."""
+    vertex = first if direction > 0 else end - VERTEX_SIZE
+    while memory[u(vertex + 1)] < TIE * top:
+        vertex += direction * VERTEX_SIZE
+    return float(memory[u(vertex)])

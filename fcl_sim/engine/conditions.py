@@ -1,9 +1,10 @@
 """Conditions as the kernel takes them: a list of slots, or postfix code.
 
-A leaf is what has a slot in the instance memory: a term of an input, a
-variable brought in, or the complement of either. `NOT x IS t` is a leaf of its
-own, fuzzified from the complement of t's base points: near zero, 1 minus a
-rounded degree would have lost its digits.
+A leaf is a term of an input, a variable brought in, what rules have concluded,
+or the complement of one of these. `NOT x IS t` is a leaf of its own, fuzzified
+from the complement of t's base points: near zero, 1 minus a rounded degree
+would have lost its digits. For the same reason postfix code carries every
+degree together with 1 minus it.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -12,7 +13,7 @@ from fractions import Fraction
 
 from fcl_sim.diagnostics import Span
 from fcl_sim.engine import program as p
-from fcl_sim.model import And, AndOperator, Condition, Degree, Is, Not, Or, OrOperator
+from fcl_sim.model import And, AndOperator, Condition, Degree, Is, Not, Or, OrOperator, RuleBlock
 
 Bounds = tuple[Fraction, Fraction]
 
@@ -22,12 +23,37 @@ OR_CODE = {OrOperator.MAX: p.OR_MAX, OrOperator.ASUM: p.OR_ASUM, OrOperator.BSUM
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """A term of a variable, or with `term` None a variable brought in; names case-folded."""
+    """A term of a variable, or with `term` None the variable itself; names case-folded."""
 
     variable: str
     term: str | None
     negated: bool = False
     span: Span | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def complement(self) -> "Leaf":
+        """The leaf whose degree is 1 minus this one's."""
+        return Leaf(self.variable, self.term, not self.negated, self.span)
+
+
+@dataclass(frozen=True, slots=True)
+class Push:
+    """In postfix code: the slots of a degree and of 1 minus it."""
+
+    slot: int
+    complement: int
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """In postfix code: the degree that the rules before have accumulated for a term (S27a, S29)."""
+
+    variable: str
+    term: str | None
+
+
+Token = Push | Look | int
+"""A word of postfix code; an int is an operator."""
 
 
 def leaves(condition: Condition) -> Iterator[Leaf]:
@@ -55,46 +81,59 @@ def conjunction(condition: Condition) -> tuple[Leaf, ...] | None:
     return tuple(leaf for part in parts if part for leaf in part)
 
 
-def postfix(condition: Condition, and_code: int, or_code: int, slot_of: Callable[[Leaf], int]) -> list[int]:
-    """Return a condition as postfix code: a slot is a push, a negative word an operator."""
+def has_complements(condition: Condition, operators: RuleBlock) -> bool:
+    """Return whether the degree of a condition is calculated from 1 minus those of its leaves, too."""
+    if _leaf(condition) is not None:
+        return False
+    if isinstance(condition, And | Or):
+        own = operators.and_operator if isinstance(condition, And) else operators.or_operator
+        needed = own in {AndOperator.BDIF, OrOperator.ASUM}
+        return needed or any(has_complements(argument, operators) for argument in condition.arguments)
+    return True
+
+
+def postfix(
+    condition: Condition, and_code: int, or_code: int, push: Callable[[Leaf], list[Token]]
+) -> list[Token]:
+    """Return a condition as postfix code; `push` gives that of a leaf."""
     leaf = _leaf(condition)
     if leaf is not None:
-        return [slot_of(leaf)]
+        return push(leaf)
     if isinstance(condition, Not):
-        return [*postfix(condition.argument, and_code, or_code, slot_of), p.NOT]
+        return [*postfix(condition.argument, and_code, or_code, push), p.NOT]
     if not isinstance(condition, And | Or):
         raise TypeError(condition)
     operator = and_code if isinstance(condition, And) else or_code
-    first, *others = (postfix(argument, and_code, or_code, slot_of) for argument in condition.arguments)
+    first, *others = (postfix(argument, and_code, or_code, push) for argument in condition.arguments)
     for other in others:
         first += [*other, operator]
     return first
 
 
-def depth(code: Sequence[int]) -> int:
-    """Return how many words of stack a postfix code needs."""
+def depth(code: Sequence[Token]) -> int:
+    """Return how many degrees the stack must hold for a postfix code."""
     deepest = level = 0
-    for word in code:
-        level += 1 if word >= 0 else 0 if word == p.NOT else -1
+    for token in code:
+        level += 1 if not isinstance(token, int) else 0 if token == p.NOT else -1
         deepest = max(deepest, level)
     return deepest
 
 
-def bounds(code: Sequence[int], bounds_of: Callable[[int], Bounds]) -> Bounds:
-    """Return bounds of the degree of a postfix code, from bounds of its slots.
+def bounds(code: Sequence[Token], bounds_of: Callable[[Token], Bounds]) -> Bounds:
+    """Return bounds of the degree of a postfix code, from bounds of what it pushes.
 
     Every operator of Table 3 rises with both arguments.
     """
     stack: list[Bounds] = []
-    for word in code:
-        if word >= 0:
-            stack.append(bounds_of(word))
-        elif word == p.NOT:
+    for token in code:
+        if not isinstance(token, int):
+            stack.append(bounds_of(token))
+        elif token == p.NOT:
             low, high = stack.pop()
             stack.append((1 - high, 1 - low))
         else:
             b, a = stack.pop(), stack.pop()
-            operator = OPERATORS[word]
+            operator = OPERATORS[token]
             stack.append((operator(a[0], b[0]), operator(a[1], b[1])))
     return stack[-1]
 

@@ -1,16 +1,29 @@
 """`explain`: one evaluation, step by step, read back from the instance's memory."""
 
+import json
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from enum import StrEnum
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from fcl_sim.engine.concluded import degree_so_far
 from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.plan_areas import algorithms, conclusions
 from fcl_sim.engine.program import Program
 from fcl_sim.engine.words import condition_formula, condition_text
-from fcl_sim.model import Condition, Degree, FunctionBlock, Is, Not, Rule, RuleBlock, Singleton
+from fcl_sim.model import (
+    Condition,
+    Degree,
+    FunctionBlock,
+    Is,
+    Not,
+    Rule,
+    RuleBlock,
+    Singleton,
+)
 
 
 class Origin(StrEnum):
@@ -59,7 +72,12 @@ class Aggregated:
 
 @dataclass(frozen=True, slots=True)
 class Activated:
-    """A conclusion after activation, which does nothing to a singleton, and after its weight (A.15)."""
+    """A conclusion after activation, which does nothing to a singleton, and after its weight (A.15).
+
+    `term` is empty where a variable without terms is concluded. `algorithm` is
+    that of activation where the term has an area: MIN cuts it off at
+    `activated`, PROD multiplies it; else it is empty.
+    """
 
     rule: str
     variable: str
@@ -67,20 +85,31 @@ class Activated:
     activated: float
     weight: float
     degree: float
+    algorithm: str
 
 
 @dataclass(frozen=True, slots=True)
 class Accumulated:
-    """Accumulation over the rules, per term of an output; several algorithms where rule blocks disagree."""
+    """Accumulation over the rules; several algorithms where rule blocks disagree.
+
+    `degrees` are those of singletons, or the one of a variable without terms;
+    `area` has the vertices (x, degree) of the accumulated area, without what
+    is 0 to the left and to the right of it.
+    """
 
     variable: str
     algorithms: tuple[str, ...]
     degrees: tuple[TermDegree, ...]
+    area: tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Defuzzified:
-    """The number an output gets, and where from; `places` are its singletons, in the order of the terms."""
+    """The number an output gets, and where from.
+
+    `method` is empty where a degree is given out (S28). `places` are its
+    singletons in the order of the terms, else empty.
+    """
 
     variable: str
     method: str
@@ -106,6 +135,10 @@ class Explanation:
         """Labels of the rules whose degree of firing is above 0."""
         return tuple(each.rule for each in self.aggregated if each.degree > 0.0)
 
+    def to_json(self) -> str:
+        """Return the explanation as a JSON object with the fields of these classes."""
+        return json.dumps(asdict(self), indent=2, ensure_ascii=False)
+
 
 @dataclass(frozen=True, slots=True)
 class _Reading:
@@ -119,17 +152,38 @@ class _Reading:
         names = [name.casefold() for name in self.program.input_names]
         return float(self.memory[names.index(variable.casefold())])
 
-    def degree(self, leaf: Condition) -> float:
-        """Return the degree of a subcondition, or of NOT one."""
+    def number(self, value: float | str) -> float:
+        """Return a constant, or the value of an input variable."""
+        return self.input(value) if isinstance(value, str) else value
+
+    def weight(self, weight: float | str) -> float:
+        return self.degree(Degree(weight), 0) if isinstance(weight, str) else weight
+
+    def degree(self, leaf: Condition, rule: int) -> float:
+        """Return the degree of a subcondition, or of NOT one, as the rule of that number takes it."""
         negated = isinstance(leaf, Not)
         inner = leaf.argument if isinstance(leaf, Not) else leaf
+        if not isinstance(inner, Is | Degree):
+            raise TypeError(leaf)
         layout = self.program.layout
-        if isinstance(inner, Is):
+        variable = inner.variable.casefold()
+        if isinstance(inner, Is) and (variable, inner.term.casefold()) in layout.terms:
             slots = layout.complements if negated else layout.terms
-            return float(self.memory[slots[inner.variable.casefold(), inner.term.casefold()]])
-        if isinstance(inner, Degree):
-            return float(self.memory[layout.brought[inner.variable.casefold()] + int(negated)])
-        raise TypeError(leaf)
+            return float(self.memory[slots[variable, inner.term.casefold()]])
+        if isinstance(inner, Degree) and variable in layout.brought:
+            return float(self.memory[layout.brought[variable] + int(negated)])
+        before = self.memory[self.program.degrees_at :][:rule].tolist()
+        term = inner.term if isinstance(inner, Is) else None
+        degree = degree_so_far(self.block, variable, term, before, self.weight)
+        return 1.0 - degree if negated else degree
+
+    def accumulated(self, variable: str, term: str | None) -> float:
+        """Return the degree that all rules have accumulated for a term."""
+        word = self.program.layout.accumulated.get((variable, term))
+        if word is not None:
+            return float(self.memory[word])
+        degrees = self.memory[self.program.degrees_at : self.program.recorded].tolist()
+        return degree_so_far(self.block, variable, term, degrees, self.weight)
 
     def rules(self) -> Iterator[tuple[str, float, RuleBlock, Rule]]:
         """Yield label, degree of firing, rule block and rule of every rule."""
@@ -151,7 +205,7 @@ def explain(block: FunctionBlock, program: Program, memory: NDArray[np.float64])
         name=block.name,
         fuzzified=tuple(_fuzzified(reading)),
         brought=tuple(
-            Brought(name, reading.input(name), reading.degree(Degree(name)))
+            Brought(name, reading.input(name), reading.weight(name))
             for name in program.input_names
             if name.casefold() in program.layout.brought
         ),
@@ -159,10 +213,10 @@ def explain(block: FunctionBlock, program: Program, memory: NDArray[np.float64])
             Aggregated(
                 label,
                 condition_text(rule.condition),
-                condition_formula(rule.condition, rule_block, reading.degree),
+                condition_formula(rule.condition, rule_block, partial(reading.degree, rule=number)),
                 degree,
             )
-            for label, degree, rule_block, rule in reading.rules()
+            for number, (label, degree, rule_block, rule) in enumerate(reading.rules())
         ),
         activated=tuple(_activated(reading)),
         accumulated=tuple(_accumulated(reading)),
@@ -175,47 +229,68 @@ def _fuzzified(reading: _Reading) -> Iterator[Fuzzified]:
     for each in reading.block.fuzzifications:
         if each.variable.casefold() in inputs:
             degrees = tuple(
-                TermDegree(term.name, reading.degree(Is(each.variable, term.name))) for term in each.terms
+                TermDegree(term.name, reading.degree(Is(each.variable, term.name), 0)) for term in each.terms
             )
             yield Fuzzified(each.variable, reading.input(each.variable), degrees)
 
 
 def _activated(reading: _Reading) -> Iterator[Activated]:
-    for label, degree, _, rule in reading.rules():
+    for label, degree, rule_block, rule in reading.rules():
         for each in rule.conclusions:
-            weight = reading.degree(Degree(each.weight)) if isinstance(each.weight, str) else each.weight
-            yield Activated(label, each.variable, each.term or "", degree, weight, weight * degree)
+            weight = reading.weight(each.weight)
+            area = each.variable.casefold() in reading.program.layout.areas
+            algorithm = str(rule_block.activation) if area else ""
+            result = weight * degree
+            yield Activated(label, each.variable, each.term or "", degree, weight, result, algorithm)
 
 
 def _accumulated(reading: _Reading) -> Iterator[Accumulated]:
-    for output in reading.block.defuzzifications:
-        variable = output.variable.casefold()
-        algorithms = dict.fromkeys(
-            rule_block.accumulation
-            for _, _, rule_block, rule in reading.rules()
-            if any(each.variable.casefold() == variable for each in rule.conclusions)
-        )
-        words = [reading.program.layout.accumulated[variable, term.name.casefold()] for term in output.terms]
-        degrees = tuple(
-            TermDegree(term.name, float(reading.memory[word]))
-            for term, word in zip(output.terms, words, strict=True)
-        )
-        yield Accumulated(output.variable, tuple(str(each) for each in algorithms), degrees)
+    layout = reading.program.layout
+    for variable, terms in _concluded(reading.block):
+        name = variable.casefold()
+        kinds = tuple(dict.fromkeys(map(str, algorithms(reading.block, name).values())))
+        if name in layout.areas:
+            first, end = (int(word) for word in reading.memory[layout.areas[name] :][:2])
+            area = tuple((x, degree) for x, degree in reading.memory[first:end].reshape(-1, 2).tolist())
+            yield Accumulated(variable, kinds, (), area)
+        else:
+            degrees = tuple(
+                TermDegree(term or "", reading.accumulated(name, term and term.casefold())) for term in terms
+            )
+            yield Accumulated(variable, kinds, degrees, ())
+
+
+def _concluded(block: FunctionBlock) -> Iterator[tuple[str, tuple[str | None, ...]]]:
+    """Yield the variables that are defuzzified, then the others that rules conclude on, with their terms."""
+    for output in block.defuzzifications:
+        yield output.variable, tuple(term.name for term in output.terms)
+    defined = {output.variable.casefold() for output in block.defuzzifications}
+    others: dict[str, dict[str | None, None]] = {}
+    for _, _, each in conclusions(block):
+        if each.variable.casefold() not in defined:
+            others.setdefault(each.variable, {})[each.term] = None
+    yield from ((variable, tuple(terms)) for variable, terms in others.items())
 
 
 def _defuzzified(reading: _Reading) -> Iterator[Defuzzified]:
     program = reading.program
-    names = [name.casefold() for name in program.output_names]
-    for output in reading.block.defuzzifications:
-        index = names.index(output.variable.casefold())
-        fallback = Origin.PREVIOUS if output.default is None else Origin.DEFAULT
-        active = reading.memory[program.active_at + index] != 0.0
-        yield Defuzzified(
-            variable=output.variable,
-            method=str(output.method),
-            places=tuple(
-                float(term.shape.value) for term in output.terms if isinstance(term.shape, Singleton)
-            ),
-            origin=Origin.RULES if active else fallback,
-            value=float(reading.memory[program.outputs_at + index]),
-        )
+    defined = {each.variable.casefold(): each for each in reading.block.defuzzifications}
+    for index, name in enumerate(program.output_names):
+        output = defined.get(name.casefold())
+        value = float(reading.memory[program.outputs_at + index])
+        if output is not None:
+            fallback = Origin.PREVIOUS if output.default is None else Origin.DEFAULT
+            active = reading.memory[program.active_at + index] != 0.0
+            yield Defuzzified(
+                variable=output.variable,
+                method=str(output.method),
+                places=tuple(
+                    reading.number(term.shape.value)
+                    for term in output.terms
+                    if isinstance(term.shape, Singleton)
+                ),
+                origin=Origin.RULES if active else fallback,
+                value=value,
+            )
+        elif (name.casefold(), None) in program.layout.accumulated:
+            yield Defuzzified(variable=name, method="", places=(), origin=Origin.RULES, value=value)

@@ -5,6 +5,17 @@ from collections.abc import Iterator
 from fcl_sim.engine.explain import Accumulated, Activated, Defuzzified, Explanation, Origin
 from fcl_sim.engine.words import number
 
+VERTICES_IN_A_ROW = 6
+
+CENTRES = ("CoG", "CoGS")
+MEANINGS = {
+    "CoG": "centre of gravity",
+    "CoA": "half of the area on each side",
+    "LM": "leftmost maximum",
+    "RM": "rightmost maximum",
+    "MM": "mean of the maxima",
+}
+
 
 def explanation_text(explanation: Explanation) -> str:
     """Return an explanation as lines of plain text; numbers have four digits."""
@@ -54,8 +65,14 @@ def _activation(explanation: Explanation) -> Iterator[str]:
 
 
 def _activated(each: Activated) -> str:
+    subject = f"{each.variable} IS {each.term}" if each.term else each.variable
+    if each.algorithm:
+        weight = f"{number(each.weight)} · " if each.weight != 1.0 else ""
+        degree = number(each.activated)
+        membership = f"MIN({degree}, μ)" if each.algorithm == "MIN" else f"{degree} · μ"
+        return f"{subject}: {weight}{membership}"
     weighted = f"{number(each.activated)} · WITH {number(each.weight)} = " if each.weight != 1.0 else ""
-    return f"{each.variable} IS {each.term}: {weighted}{number(each.degree)}"
+    return f"{subject}: {weighted}{number(each.degree)}"
 
 
 def _accumulation(explanation: Explanation) -> Iterator[str]:
@@ -63,23 +80,32 @@ def _accumulation(explanation: Explanation) -> Iterator[str]:
     yield "Accumulation"
     for each in explanation.accumulated:
         algorithm = ", then MAX over the rule blocks" if len(each.algorithms) > 1 else ""
-        yield f"  {each.variable} ({' and '.join(each.algorithms)}{algorithm})"
-        width = max(len(degree.term) for degree in each.degrees)
+        yield f"  {each.variable} ({' and '.join(each.algorithms) or 'no rule'}{algorithm})"
+        width = max((len(degree.term) for degree in each.degrees), default=0)
         yield from (f"    {degree.term:{width}}  {number(degree.degree)}" for degree in each.degrees)
+        for row in range(0, len(each.area), VERTICES_IN_A_ROW):
+            vertices = each.area[row : row + VERTICES_IN_A_ROW]
+            yield "    " + " ".join(f"({number(x)}, {number(degree)})" for x, degree in vertices)
 
 
 def _defuzzification(explanation: Explanation) -> Iterator[str]:
     yield ""
     yield "Defuzzification"
-    for accumulated, each in zip(explanation.accumulated, explanation.defuzzified, strict=True):
-        yield f"  {each.variable} = {_result(each, accumulated)}"
+    by_variable = {each.variable.casefold(): each for each in explanation.accumulated}
+    for each in explanation.defuzzified:
+        yield f"  {each.variable} = {_result(each, by_variable[each.variable.casefold()])}"
 
 
 def _result(each: Defuzzified, accumulated: Accumulated) -> str:
-    if each.origin is Origin.DEFAULT:
-        return f"{number(each.value)}: no rule is active, DEFAULT"
-    if each.origin is Origin.PREVIOUS:
-        return f"{number(each.value)}: no rule is active, NC keeps the previous value"
+    value = number(each.value)
+    if each.origin is not Origin.RULES:
+        why = "the accumulated area is 0" if accumulated.area else "no rule is active"
+        what = "DEFAULT" if each.origin is Origin.DEFAULT else "NC keeps the previous value"
+        return f"{value}: {why}, {what}"
+    if not each.method:
+        return f"{value}  (degree given out)"
+    if each.method not in CENTRES or accumulated.area:
+        return f"{value}  ({each.method}{f': {MEANINGS[each.method]}' if each.method in MEANINGS else ''})"
     pairs = [
         (place, degree.degree)
         for place, degree in zip(each.places, accumulated.degrees, strict=True)
@@ -87,4 +113,4 @@ def _result(each: Defuzzified, accumulated: Accumulated) -> str:
     ]
     moments = " + ".join(f"{number(place)} · {number(degree)}" for place, degree in pairs)
     degrees = " + ".join(number(degree) for _, degree in pairs)
-    return f"({moments}) / ({degrees}) = {number(each.value)}  ({each.method})"
+    return f"({moments}) / ({degrees}) = {value}  ({each.method})"

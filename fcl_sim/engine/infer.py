@@ -2,8 +2,10 @@
 
 Fuzzify, aggregate, activate, weight, accumulate, defuzzify (S23). Activation
 does nothing to singletons (Table 4), so a rule's weighted result is its degree
-times its weight. Only rules that can fire in the cell of every input are
-visited: a mask of rules per cell, joined over the inputs.
+times its weight; of an area, rules leave the degrees from which `areas` makes
+it. Only rules that can fire in the cell of every input are visited: a mask of
+rules per cell, joined over the inputs, and of long masks only words whose bit
+in the summary is set.
 """
 
 from numpy import float64, int64
@@ -11,28 +13,20 @@ from numpy.typing import NDArray
 
 from fcl_sim.arithmetic.defuzzify import moments_of_singletons
 from fcl_sim.arithmetic.membership import cell_of, degree_on
-from fcl_sim.arithmetic.operators import (
-    algebraic_sum,
-    bounded_difference,
-    bounded_sum,
-    clamped,
-    maximum,
-    minimum,
-)
+from fcl_sim.arithmetic.operators import clamped, maximum, minimum
+from fcl_sim.engine.aggregate import aggregate
+from fcl_sim.engine.moving import fuzzify_moved, sourced
 from fcl_sim.engine.program import (
     ALL,
-    ALL_MIN,
-    ALL_PROD,
-    AND_BDIF,
-    AND_MIN,
-    AND_PROD,
     BRING,
     BRING_INPUT,
     BRING_NOT,
     BRING_SIZE,
     BRING_SLOT,
     BROUGHT,
+    BY_COGS,
     CLAMPS,
+    CLEAR,
     CLEARED,
     DE_BRUIJN,
     DEGREES,
@@ -49,13 +43,12 @@ from fcl_sim.engine.program import (
     GROUP_BSUM,
     GROUP_NSUM,
     MASK_BITS,
-    NOT,
-    OR_ASUM,
-    OR_MAX,
+    MOVED,
     OUT_ACTIVE,
     OUT_DEGREES,
     OUT_GROUPS,
     OUT_KEEP,
+    OUT_KIND,
     OUT_KINDS,
     OUT_PLACES,
     OUT_TERMS,
@@ -67,17 +60,19 @@ from fcl_sim.engine.program import (
     RULE,
     RULE_BODY,
     RULE_DEGREE,
-    RULE_KIND,
     RULE_LENGTH,
     RULE_THEN,
+    RULES,
     SEGMENT_SIZE,
-    STACK,
+    SUMMARY,
     THEN_DEGREE,
     THEN_SIZE,
     THEN_SUM,
     THEN_WEIGHT,
+    VISITED,
     WORDS,
 )
+from fcl_sim.engine.settle import settle
 from fcl_sim.jit import flat, inlined, u
 
 Ints = NDArray[int64]
@@ -87,7 +82,9 @@ Floats = NDArray[float64]
 @inlined
 def clear(ints: Ints, at: int, memory: Floats, base: int) -> None:
     """Set all degrees to 0."""
-    start = base + ints[u(at + DEGREES)]
+    if ints[u(at + WORDS)] > 1:
+        clear_visited(ints, at, memory, base)
+    start = base + ints[u(at + CLEAR)]
     for word in range(start, start + ints[u(at + CLEARED)], 4):
         memory[u(word)] = 0.0
         memory[u(word + 1)] = 0.0
@@ -95,11 +92,23 @@ def clear(ints: Ints, at: int, memory: Floats, base: int) -> None:
         memory[u(word + 3)] = 0.0
 
 
+@flat
+def clear_visited(ints: Ints, at: int, memory: Floats, base: int) -> None:
+    """Set the degrees of those rules to 0 whose words of the mask the last evaluation visited."""
+    visited = base + ints[u(at + VISITED)]
+    degrees = base + ints[u(at + DEGREES)]
+    for entry in range(visited + 1, visited + 1 + int(memory[u(visited)])):
+        start = degrees + MASK_BITS * int(memory[u(entry)])
+        for word in range(start, min(start + MASK_BITS, degrees + ints[u(at + RULES)])):
+            memory[u(word)] = 0.0
+    memory[u(visited)] = 0.0
+
+
 @inlined
 def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> int:
-    """Write the degrees of all input terms; return the first word of the mask of rules that can fire."""
+    """Write the degrees of all input terms; return the mask of rules that can fire, if it is one word."""
     origin = ints[u(at + FLOATS)]
-    words = ints[u(at + WORDS)]
+    words = ints[u(at + WORDS)] + ints[u(at + SUMMARY)]
     rows = base + ints[u(at + ROWS)]
     first = int(ints[u(at + ints[u(at + ALL)])])
     grid = at + ints[u(at + GRID)]
@@ -122,13 +131,41 @@ def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> i
 
 
 @flat
-def mask_of(ints: Ints, at: int, memory: Floats, base: int, word: int) -> int:
-    """Return word `word` of the mask of rules that can fire."""
+def joined_word(ints: Ints, at: int, memory: Floats, base: int, word: int) -> int:
+    """Return a word of the summary and mask of rules that can fire."""
     mask = int(ints[u(at + ints[u(at + ALL)] + word)])
     rows = base + ints[u(at + ROWS)]
     for index in range(ints[u(at + GRIDS)]):
         mask &= int(ints[u(int(memory[u(rows + index)]) + word)])
     return mask
+
+
+@flat
+def next_word(ints: Ints, at: int, memory: Floats, base: int, word: int) -> int:
+    """Return the next word of the mask, from `word` on, with its bit in the summary; -1 after the last."""
+    part = word // MASK_BITS
+    passed = word % MASK_BITS
+    while part < ints[u(at + SUMMARY)]:
+        bits = joined_word(ints, at, memory, base, part) >> passed << passed
+        if bits != 0:
+            found = part * MASK_BITS + place_of(bits & -bits)
+            visited = base + ints[u(at + VISITED)]
+            memory[u(visited)] += 1.0
+            memory[u(visited + int(memory[u(visited)]))] = found
+            return found
+        part += 1
+        passed = 0
+    return -1
+
+
+@inlined
+def place_of(bit: int) -> int:
+    """Return the number of a bit."""
+    place = 0
+    while bit > 1:
+        bit >>= 1
+        place += 1
+    return place
 
 
 @flat
@@ -147,59 +184,6 @@ def bring(ints: Ints, at: int, memory: Floats, base: int) -> None:
     memory[u(base + ints[u(at + CLAMPS)])] = clamps
 
 
-@flat
-def calculate(ints: Ints, at: int, code: int, length: int, memory: Floats, base: int) -> float:
-    """Return the degree of a condition in postfix code of `length` words at `code`."""
-    first = base + ints[u(at + STACK)]
-    top = first - 1
-    for place in range(code, code + length):
-        word = ints[u(place)]
-        if word >= 0:
-            top += 1
-            memory[u(top)] = memory[u(base + word)]
-        elif word == NOT:
-            memory[u(top)] = 1.0 - memory[u(top)]
-        else:
-            top -= 1
-            memory[u(top)] = joined(word, memory[u(top)], memory[u(top + 1)])
-    return float(memory[u(first)])
-
-
-@inlined
-def joined(operator: int, a: float, b: float) -> float:
-    """Return two degrees joined by an operator of Table 3."""
-    if operator == AND_MIN:
-        return minimum(a, b)
-    if operator == AND_PROD:
-        return a * b
-    if operator == AND_BDIF:
-        return bounded_difference(a, b)
-    if operator == OR_MAX:
-        return maximum(a, b)
-    if operator == OR_ASUM:
-        return algebraic_sum(a, b)
-    return bounded_sum(a, b)
-
-
-@inlined
-def aggregate(ints: Ints, at: int, rule: int, memory: Floats, base: int) -> float:
-    """Return the degree of firing of the rule whose record is at `rule`."""
-    kind = ints[u(rule + RULE_KIND)]
-    body = rule + RULE_BODY
-    length = ints[u(rule + RULE_LENGTH)]
-    if kind == ALL_MIN:
-        degree = float(memory[u(base + ints[u(body)])])
-        for place in range(body + 1, body + length):
-            degree = minimum(degree, memory[u(base + ints[u(place)])])
-        return degree
-    if kind == ALL_PROD:
-        degree = float(memory[u(base + ints[u(body)])])
-        for place in range(body + 1, body + length):
-            degree *= memory[u(base + ints[u(place)])]
-        return degree
-    return calculate(ints, at, body, length, memory, base)
-
-
 @inlined
 def conclude(
     ints: Ints, floats: Floats, origin: int, rule: int, degree: float, memory: Floats, base: int
@@ -207,12 +191,7 @@ def conclude(
     """Weight and accumulate the conclusions of a rule that fires with `degree`."""
     then = rule + RULE_BODY + ints[u(rule + RULE_LENGTH)]
     for _ in range(ints[u(rule + RULE_THEN)]):
-        weight = ints[u(then + THEN_WEIGHT)]
-        weighted = degree
-        if weight > 0:
-            weighted = floats[u(origin + weight)] * degree
-        elif weight < 0:
-            weighted = memory[u(base - 1 - weight)] * degree
+        weighted = sourced(ints[u(then + THEN_WEIGHT)], floats, origin, memory, base) * degree
         target = base + ints[u(then + THEN_DEGREE)]
         if ints[u(then + THEN_SUM)] == 0:
             memory[u(target)] = maximum(memory[u(target)], weighted)
@@ -259,23 +238,27 @@ def finish_groups(ints: Ints, at: int, output: int, memory: Floats, base: int) -
 
 @inlined
 def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
-    """Write each output and its flag; without an active rule, the DEFAULT or nothing (S30)."""
+    """Write each output and its flag; without an active rule, the DEFAULT or nothing (S30, S31)."""
     origin = ints[u(at + FLOATS)]
     output = at + ints[u(at + OUTPUT)]
     for _ in range(ints[u(at + OUTPUTS)]):
         if ints[u(output + OUT_GROUPS)] > 0:
             finish_groups(ints, at, output, memory, base)
-        degrees = base + ints[u(output + OUT_DEGREES)]
         places = origin + ints[u(output + OUT_PLACES)]
         terms = ints[u(output + OUT_TERMS)]
-        moment, weight = moments_of_singletons(floats, places, memory, degrees, terms)
+        if ints[u(output + OUT_KIND)] == BY_COGS:
+            degrees = base + ints[u(output + OUT_DEGREES)]
+            moment, weight = moments_of_singletons(floats, places, memory, degrees, terms)
+            value = moment / weight if weight != 0.0 else 0.0
+        else:
+            value, weight = settle(ints, floats, at, output, memory, base)
         if weight == 0.0:
             memory[u(base + ints[u(output + OUT_ACTIVE)])] = 0.0
             if ints[u(output + OUT_KEEP)] == 0:
                 memory[u(base + ints[u(output + OUT_VALUE)])] = floats[u(places + terms)]
         else:
             memory[u(base + ints[u(output + OUT_ACTIVE)])] = 1.0
-            memory[u(base + ints[u(output + OUT_VALUE)])] = moment / weight
+            memory[u(base + ints[u(output + OUT_VALUE)])] = value
         output += OUTPUT_SIZE
 
 
@@ -291,7 +274,16 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
     mask = fuzzify(ints, floats, at, memory, base)
     if ints[u(at + BROUGHT)] > 0:
         bring(ints, at, memory, base)
-    visit(ints, floats, at, mask, 0, memory, base)
-    for word in range(1, ints[u(at + WORDS)]):
-        visit(ints, floats, at, mask_of(ints, at, memory, base, word), word, memory, base)
+    if ints[u(at + MOVED)] > 0:
+        fuzzify_moved(ints, floats, at, memory, base)
+    summary = ints[u(at + SUMMARY)]
+    word = 0
+    while word >= 0:
+        if summary > 0:
+            word = next_word(ints, at, memory, base, word)
+            if word < 0:
+                break
+            mask = joined_word(ints, at, memory, base, summary + word)
+        visit(ints, floats, at, mask, word, memory, base)
+        word = word + 1 if summary > 0 else -1
     defuzzify(ints, floats, at, memory, base)

@@ -5,15 +5,23 @@ A rule set is a whole number whose bit r stands for rule r.
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
-from fcl_sim.engine.conditions import bounds
+from fcl_sim.engine.conditions import Push, Token, bounds
 from fcl_sim.engine.grid import Cell
-from fcl_sim.engine.program import ALL_MIN, ALL_PROD, MASK_BITS
+from fcl_sim.engine.program import MASK_BITS
 
 WORD = (1 << MASK_BITS) - 1
-Code = tuple[int, Sequence[int]]
-"""A rule's condition: its kind, and slots or postfix code."""
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """A rule's condition: AND by MIN or PROD over slots, or postfix code."""
+
+    kind: int
+    slots: tuple[int, ...] = ()
+    tokens: tuple[Token, ...] = ()
 
 
 def every(codes: Sequence[Code]) -> int:
@@ -22,8 +30,17 @@ def every(codes: Sequence[Code]) -> int:
 
 
 def words_of(rules: int, count: int) -> list[int]:
-    """Return a rule set as `count` words."""
-    return [rules >> (MASK_BITS * word) & WORD for word in range(count)]
+    """Return a rule set as `count` words, behind their summary where there are several (program.py)."""
+    words = [rules >> (MASK_BITS * word) & WORD for word in range(count)]
+    if count == 1:
+        return words
+    used = sum(1 << number for number, word in enumerate(words) if word)
+    return [*(used >> (MASK_BITS * word) & WORD for word in range(summary_words(count))), *words]
+
+
+def summary_words(count: int) -> int:
+    """Return how many words the summary of a mask of `count` words has."""
+    return 0 if count == 1 else -(-count // MASK_BITS)
 
 
 def fireable(codes: Sequence[Code], slots: Sequence[int], cells: Sequence[Cell]) -> list[int]:
@@ -33,32 +50,41 @@ def fireable(codes: Sequence[Code], slots: Sequence[int], cells: Sequence[Cell])
     inputs. A conjunction cannot fire where one of its degrees is 0; of other
     conditions, bounds are taken.
     """
-    needing = _needing(codes, set(slots))
-    loose = [(rule, code) for rule, (kind, code) in enumerate(codes) if kind not in {ALL_MIN, ALL_PROD}]
+    own = set(slots)
+    needing = _needing(codes, own)
+    loose = [
+        (rule, code.tokens)
+        for rule, code in enumerate(codes)
+        if any(isinstance(token, Push) and token.slot in own for token in code.tokens)
+    ]
+    everything = every(codes)
     sets = []
     for cell in cells:
-        rules = every(codes)
+        excluded = 0
         for slot, (_, high) in zip(slots, cell.bounds, strict=True):
             if high == 0:
-                rules &= ~needing.get(slot, 0)
+                excluded |= needing.get(slot, 0)
         known = dict(zip(slots, cell.bounds, strict=True))
-        for rule, code in loose:
-            if not known.keys().isdisjoint(code) and _never(code, known):
-                rules &= ~(1 << rule)
-        sets.append(rules)
+        for rule, tokens in loose:
+            if _never(tokens, known):
+                excluded |= 1 << rule
+        sets.append(everything & ~excluded)
     return sets
 
 
 def _needing(codes: Sequence[Code], slots: set[int]) -> Mapping[int, int]:
     """Return for each slot the conjunctions that contain it."""
     needing: dict[int, int] = defaultdict(int)
-    for rule, (kind, code) in enumerate(codes):
-        if kind in {ALL_MIN, ALL_PROD}:
-            for slot in slots.intersection(code):
-                needing[slot] |= 1 << rule
+    for rule, code in enumerate(codes):
+        for slot in slots.intersection(code.slots):
+            needing[slot] |= 1 << rule
     return needing
 
 
-def _never(code: Sequence[int], known: Mapping[int, tuple[Fraction, Fraction]]) -> bool:
+def _never(tokens: Sequence[Token], known: Mapping[int, tuple[Fraction, Fraction]]) -> bool:
     unknown = (Fraction(0), Fraction(1))
-    return bounds(code, lambda slot: known.get(slot, unknown))[1] == 0
+
+    def bounds_of(token: Token) -> tuple[Fraction, Fraction]:
+        return known.get(token.slot, unknown) if isinstance(token, Push) else unknown
+
+    return bounds(tokens, bounds_of)[1] == 0

@@ -6,34 +6,41 @@ integer buffer, (f) from its first word in the float buffer, (m) from the first
 word of the instance memory. Several programs may share buffers: `infer` is told
 where the integers begin, and the header's FLOATS says where the floats begin.
 
+A source is one word that says where a number comes from: 0 is 1.0; above 0, a
+constant (f); below 0, the word (m) -1 - source of the instance memory.
+
 Header (i):
     FLOATS        where the program's floats begin in the float buffer
     RULES         number of rules
     WORDS         words of a rule mask: bit r % 32 of word r // 32 stands for rule r
-    ALL           (i) mask of all rules, WORDS words
-    GRIDS         number of fuzzified variables
+    SUMMARY       words of its summary, in which bit w stands for word w of the mask; none for one word
+    ALL           (i) mask of all rules: SUMMARY words, WORDS words
+    GRIDS         number of inputs with a grid
     GRID          (i) their records, GRID_SIZE words each
     BROUGHT       number of variables brought in as degrees or weights (S27)
     BRING         (i) their records, BRING_SIZE words each
+    MOVED         number of terms of inputs with points moved by variables
+    MOVE          (i) their records
     RULE          (i) table: where each rule's record begins (i); 32 entries to a mask word, and within
                   them, in place of bit b, the entry (DE_BRUIJN << b >> 27) & 31
     OUTPUTS       number of outputs
     OUTPUT        (i) their records, OUTPUT_SIZE words each
-    DEGREES       (m) degree of each rule; where clearing begins
-    CLEARED       number of words to clear before each evaluation, a multiple of 4
+    DEGREES       (m) degree of each rule
+    CLEAR         (m) where clearing begins before each evaluation
+    CLEARED       number of words to clear, a multiple of 4
     CLAMPS        (m) how many variables brought in lay outside [0, 1]
-    ROWS          (m) where each grid's current words of its mask begin (i, from the buffer's first word);
-                  used with WORDS > 1
+    VISITED       (m) with WORDS > 1: how many words of the mask were visited, and which
+    ROWS          (m) with WORDS > 1: where each grid's current mask begins (i, from the buffer's first word)
     STACK         (m) stack of the postfix code
 
-Grid record (i), one for each fuzzified variable:
+Grid record (i), one for each input that has terms with constant points:
     GRID_INPUT    (m) the variable
     GRID_COUNT    number of knots, filled up with NaN to 4, to 8, or to a power of 4 above it
     GRID_KNOTS    (f) the knots, strictly rising
     GRID_WIDTH    segments per cell, at least 2; cell 2 k is the interval before knot k, cell 2 k + 1 the
                   knot itself
-    GRID_ROWS     (i) a row of GRID_WIDTH + WORDS words per cell: the slots (m) whose degrees the segments
-                  give, and the mask of the rules that can fire there
+    GRID_ROWS     (i) a row of GRID_WIDTH + SUMMARY + WORDS words per cell: the slots (m) whose degrees
+                  the segments give, and the mask of the rules that can fire there
     GRID_SEGMENTS (f) by cell and segment: origin, value, run; slots without a segment have degree 0
 
 Record of a variable brought in (i):
@@ -41,33 +48,67 @@ Record of a variable brought in (i):
     BRING_SLOT    (m) its degree, clamped
     BRING_NOT     (m) 1 minus its degree
 
+Record of a moved term of an input (i), of varying length:
+    MOVE_INPUT    (m) the variable
+    MOVE_SLOT     (m) its degree
+    MOVE_NOT      (m) 1 minus its degree
+    MOVE_COUNT    number of points
+    … points, SPOT_SIZE words each: SPOT_X, a source; SPOT_DEGREE (f)
+
 Rule record (i), of varying length:
     RULE_KIND     ALL_MIN or ALL_PROD: AND over slots; CODE: postfix code
     RULE_LENGTH   number of slots, or of words of code
     RULE_THEN     number of conclusions
     RULE_DEGREE   (m) its degree of firing
-    RULE_BODY …   slots (m); in code a slot is a push, a negative word an operator
+    RULE_BODY …   slots (m); in code, two words are a push: the slots of a degree and of 1 minus it; a
+                  negative word is an operator, or LOOK - word the look record (i) of what to push
     … conclusions, THEN_SIZE words each:
     THEN_DEGREE   (m) the accumulated degree
     THEN_SUM      0: accumulate by MAX; 1: sum (BSUM and NSUM are finished with the output)
-    THEN_WEIGHT   0: weight 1; above: (f) of a constant; below: -1 - (m) of a variable's slot
+    THEN_WEIGHT   a source
+
+Look record (i), a degree that the rules before have accumulated (S27a, S29):
+    LOOK_TERM     which term of the variable
+    LOOK_TERMS, LOOK_DEGREES, LOOK_GROUPS, LOOK_KINDS   as OUT_TERMS and so on
 
 Output record (i):
     OUT_VALUE     (m) the output
     OUT_ACTIVE    (m) its flag
-    OUT_TERMS     number of terms, made even by one that nothing concludes on
+    OUT_KIND      BY_COGS: CoGS of constant singletons; BY_DEGREE: a degree given out (S28);
+                  BY_SINGLETONS: other singletons; BY_AREA: terms with areas
+    OUT_TERMS     number of terms, made even by one that nothing concludes on; 0 BY_AREA
     OUT_PLACES    (f) places of the singletons, then the DEFAULT
     OUT_DEGREES   (m) accumulated degrees: OUT_GROUPS times OUT_TERMS; the first group takes the result
     OUT_GROUPS    accumulations: more than one only where rule blocks disagree on ACCU (S26);
                   0: one, by MAX, with nothing to finish
     OUT_KINDS     (i) the algorithm of each: GROUP_MAX, GROUP_BSUM or GROUP_NSUM
     OUT_KEEP      1: NC, the previous value stays when no rule is active; 0: the DEFAULT is taken
+    OUT_METHOD    METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM or METHOD_MM
+    OUT_MORE      (i) BY_SINGLETONS: a source for each place; BY_AREA: the area record
 
-Floats begin with an unused word, so that no offset of a weight is 0.
+Area record (i):
+    AREA_LOW      (f) the lower and the upper limit of the range
+    AREA_HULL     1: there is no RANGE and points move, so that the hull of the points is taken instead
+    AREA_MOVED    number of terms to place at each evaluation: all of them or, where no point moves, none
+    AREA_MOVE     (i) their records: TERM_AT (m) where its points go, TERM_END (m) where that of the last of
+                  them is kept, TERM_COUNT the number of points, then the points as in a moved term
+    AREA_GROUPS   accumulations, as OUT_GROUPS, but at least 1
+    AREA_GROUP    (i) for each: its algorithm, the number of its parts; and the parts, of varying length:
+                  PART_TERM, the source of its term's points; PART_END (m) as TERM_END, or -1 - their number;
+                  PART_PAIRS; then as many pairs of sources: the degree where activation cuts off the
+                  term, and what the rest is multiplied by
+    AREA_LEVELS   (m) levels of activation
+    AREA_PART     (m) the activated part
+    AREA_LINE     (m) three accumulated polylines, one after the other
+    AREA_ROOM     words of each
+    AREA_RESULT   (m) where the accumulated area begins and ends (m)
+
+Points are three words each (arithmetic.polyline). Floats begin with an unused
+word, so that no offset of a constant is 0.
 
 Instance memory (m), a head that traces record and the work behind it:
     inputs | outputs | active flags | degrees of the rules |
-    slots | accumulated degrees | spill | clamps | rows | stack
+    slots | accumulated degrees | spill | clamps | visited | rows | stack | areas
 """
 
 from collections.abc import Mapping
@@ -80,46 +121,78 @@ from numpy.typing import NDArray
     FLOATS,
     RULES,
     WORDS,
+    SUMMARY,
     ALL,
     GRIDS,
     GRID,
     BROUGHT,
     BRING,
+    MOVED,
+    MOVE,
     RULE,
     OUTPUTS,
     OUTPUT,
     DEGREES,
+    CLEAR,
     CLEARED,
     CLAMPS,
+    VISITED,
     ROWS,
     STACK,
     HEADER_SIZE,
-) = range(17)
+) = range(22)
 
 GRID_INPUT, GRID_COUNT, GRID_KNOTS, GRID_WIDTH, GRID_ROWS, GRID_SEGMENTS, GRID_SIZE = range(7)
 BRING_INPUT, BRING_SLOT, BRING_NOT, BRING_SIZE = range(4)
+MOVE_INPUT, MOVE_SLOT, MOVE_NOT, MOVE_COUNT, MOVE_SPOTS = range(5)
+SPOT_X, SPOT_DEGREE, SPOT_SIZE = range(3)
 RULE_KIND, RULE_LENGTH, RULE_THEN, RULE_DEGREE, RULE_BODY = range(5)
 THEN_DEGREE, THEN_SUM, THEN_WEIGHT, THEN_SIZE = range(4)
+LOOK_TERM, LOOK_TERMS, LOOK_DEGREES, LOOK_GROUPS, LOOK_KINDS, LOOK_SIZE = range(6)
 (
     OUT_VALUE,
     OUT_ACTIVE,
+    OUT_KIND,
     OUT_TERMS,
     OUT_PLACES,
     OUT_DEGREES,
     OUT_GROUPS,
     OUT_KINDS,
     OUT_KEEP,
+    OUT_METHOD,
+    OUT_MORE,
     OUTPUT_SIZE,
-) = range(9)
+) = range(12)
+(
+    AREA_LOW,
+    AREA_HULL,
+    AREA_MOVED,
+    AREA_MOVE,
+    AREA_GROUPS,
+    AREA_GROUP,
+    AREA_LEVELS,
+    AREA_PART,
+    AREA_LINE,
+    AREA_ROOM,
+    AREA_RESULT,
+    AREA_SIZE,
+) = range(12)
+TERM_AT, TERM_END, TERM_COUNT, TERM_SPOTS = range(4)
+PART_TERM, PART_END, PART_PAIRS, PART_PAIR = range(4)
 
 ALL_MIN, ALL_PROD, CODE = range(3)
 NOT, AND_MIN, AND_PROD, AND_BDIF, OR_MAX, OR_ASUM, OR_BSUM = range(-1, -8, -1)
+LOOK = -8
 GROUP_MAX, GROUP_BSUM, GROUP_NSUM = range(3)
+BY_COGS, BY_DEGREE, BY_SINGLETONS, BY_AREA = range(4)
+METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM = range(5)
 
 MASK_BITS = 32
 DE_BRUIJN = 0x077CB531
 """Times a power of two below 2**32, bits 27 to 31 of the product tell which one."""
 SEGMENT_SIZE = 3
+LARGEST = 1e300
+"""Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,14 +201,20 @@ class Layout:
 
     `terms` holds the degrees of input terms by (variable, term), `complements`
     those of NOT term where a condition takes it, `brought` the variables
-    brought in, `accumulated` the final degrees of output terms; `clamps` counts
-    how many of `brought` lay outside [0, 1] in the last evaluation.
+    brought in, `accumulated` the final degrees of singletons, and by (variable,
+    None) that of an output without terms; `asked` those of other variables that
+    conditions ask for, as they are before BSUM and NSUM are finished; `areas`
+    by output the two words that hold where its accumulated area begins and
+    ends. `clamps` counts how many of `brought` lay outside [0, 1] in the last
+    evaluation.
     """
 
     terms: Mapping[tuple[str, str], int]
     complements: Mapping[tuple[str, str], int]
     brought: Mapping[str, int]
-    accumulated: Mapping[tuple[str, str], int]
+    accumulated: Mapping[tuple[str, str | None], int]
+    asked: Mapping[tuple[str, str | None], int]
+    areas: Mapping[str, int]
     clamps: int
 
 

@@ -1,16 +1,15 @@
 """What the model can say and this engine cannot evaluate: FCL4xx."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span
-from fcl_sim.engine.conditions import leaves
+from fcl_sim.engine.program import LARGEST
 from fcl_sim.model import (
     Accumulation,
     Activation,
     And,
     AndOperator,
-    Conclusion,
     Condition,
     Defuzzification,
     FunctionBlock,
@@ -22,24 +21,15 @@ from fcl_sim.model import (
     OrOperator,
     Point,
     Points,
-    Rule,
     RuleBlock,
     Singleton,
     Term,
 )
 
-LARGEST = 1e300
-"""Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
 FLATTEST = 1e308
 """Bound of the distance over which a degree would rise by 1."""
 
 HINTS = {
-    "FCL401": "this version defuzzifies singletons: TERM name := number; METHOD : CoGS;",
-    "FCL402": "this version defuzzifies singletons by METHOD : CoGS;",
-    "FCL403": "give the abscissa as a number",
-    "FCL404": "give the singleton as a number",
-    "FCL405": "conclude on a term: variable IS term",
-    "FCL406": "use terms and degrees of input variables",
     "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
     "FCL408": "give base points, or for outputs single values",
     "FCL409": "give the term that is meant its own base points",
@@ -83,14 +73,11 @@ def _findings(block: FunctionBlock) -> Iterator[Finding]:
             yield from _input_term(fuzzification, term)
     for defuzzification in block.defuzzifications:
         yield from _output(defuzzification)
-    inputs = {variable.name.casefold() for variable in block.inputs}
-    outputs = {defuzzification.variable.casefold() for defuzzification in block.defuzzifications}
     for rule_block in block.rule_blocks:
         yield from _rule_block(rule_block)
         for rule in rule_block.rules:
-            yield from _condition(rule, inputs)
-            for conclusion in rule.conclusions:
-                yield from _conclusion(conclusion, outputs)
+            if any(each.hedges for each in _subconditions(rule.condition)):
+                yield "FCL409", "hedges are not evaluated yet", rule.span
 
 
 def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
@@ -98,37 +85,40 @@ def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
     if not isinstance(term.shape, Points):
         yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
         return
-    points = term.shape.points
-    if any(isinstance(point.x, str) for point in points):
-        yield "FCL403", f"base points of `{name}` are moved by a variable; not evaluated yet", term.span
-    elif not all(_holds(left, right) for left, right in pairwise((points[0], *points))):
+    if not _all_hold(term.shape.points):
         yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
 
 
+def _all_hold(points: Sequence[Point]) -> bool:
+    """Return whether all stretches between points, and their runs, are safely finite."""
+    return all(_holds(left, right) for left, right in pairwise((points[0], *points)))
+
+
 def _holds(left: Point, right: Point) -> bool:
-    """Return whether a stretch between two points, and its run, are safely finite."""
-    start, end = float(left.x), float(right.x)
+    ends = [float(x) for x in (left.x, right.x) if not isinstance(x, str)]
+    if not all(abs(x) < LARGEST for x in ends):
+        return False
     rise = abs(right.degree - left.degree)
-    return max(abs(start), abs(end)) < LARGEST and (rise == 0.0 or end - start < FLATTEST * rise)
+    return rise == 0.0 or len(ends) < 2 or ends[1] - ends[0] < FLATTEST * rise
 
 
 def _output(output: Defuzzification) -> Iterator[Finding]:
     name = output.variable
     for term in output.terms:
-        if not isinstance(term.shape, Singleton | Points):
+        shape = term.shape
+        if isinstance(shape, Points):
+            if not _all_hold(shape.points):
+                yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
+        elif not isinstance(shape, Singleton):
             yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
-        elif isinstance(term.shape, Points):
-            yield "FCL401", f"terms of `{name}` have areas; not evaluated yet", term.span
-        elif isinstance(term.shape.value, str):
-            yield "FCL404", f"singletons of `{name}` are moved by a variable; not evaluated yet", term.span
-        elif not abs(term.shape.value) < LARGEST:
+        elif not isinstance(shape.value, str) and not abs(shape.value) < LARGEST:
             yield "FCL407", f"singletons of `{name}` exceed what binary64 can carry", term.span
-    singletons = all(isinstance(term.shape, Singleton) for term in output.terms)
-    if singletons and output.method not in {Method.COGS, Method.COG}:
-        message = f"METHOD {output.method} of `{name}`, whose terms are singletons, is not evaluated yet"
-        yield "FCL402", message, output.span
-    if output.held or output.clamped or output.accumulation or not output.enabled:
-        yield "FCL411", f"LOCK, ENABLED or ACCU of `{name}` alone is not evaluated yet", output.span
+    if output.range is not None and not max(map(abs, output.range)) < LARGEST:
+        yield "FCL407", f"RANGE of `{name}` exceeds what binary64 can carry", output.span
+    if output.method is Method.SUM:
+        yield "FCL410", f"METHOD {output.method} is not evaluated yet", output.span
+    if output.held or output.clamped or not output.enabled:
+        yield "FCL411", f"LOCK or ENABLED of `{name}` is not evaluated yet", output.span
 
 
 def _rule_block(block: RuleBlock) -> Iterator[Finding]:
@@ -139,15 +129,6 @@ def _rule_block(block: RuleBlock) -> Iterator[Finding]:
         yield "FCL411", f"ENABLED of the rule block `{block.name}` is not evaluated yet", block.span
 
 
-def _condition(rule: Rule, inputs: set[str]) -> Iterator[Finding]:
-    if any(each.hedges for each in _subconditions(rule.condition)):
-        yield "FCL409", "hedges are not evaluated yet", rule.span
-    for leaf in leaves(rule.condition):
-        if leaf.variable not in inputs:
-            message = f"`{leaf.variable}` in a condition is not an input; not evaluated yet"
-            yield "FCL406", message, leaf.span or rule.span
-
-
 def _subconditions(condition: Condition) -> Iterator[Is]:
     if isinstance(condition, Is):
         yield condition
@@ -156,15 +137,3 @@ def _subconditions(condition: Condition) -> Iterator[Is]:
     elif isinstance(condition, And | Or):
         for argument in condition.arguments:
             yield from _subconditions(argument)
-
-
-def _conclusion(conclusion: Conclusion, outputs: set[str]) -> Iterator[Finding]:
-    if conclusion.term is None:
-        yield (
-            "FCL405",
-            f"`{conclusion.variable}` is given out as a degree; not evaluated yet",
-            conclusion.span,
-        )
-    elif conclusion.variable.casefold() not in outputs:
-        message = f"the local variable `{conclusion.variable}` is concluded on; not evaluated yet"
-        yield "FCL405", message, conclusion.span

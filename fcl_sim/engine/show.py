@@ -6,6 +6,7 @@ import numpy as np
 
 from fcl_sim.engine import program as p
 from fcl_sim.engine.program import Program
+from fcl_sim.engine.show_outputs import Names, outputs_text, source_text, spots_text
 
 KINDS = {p.ALL_MIN: "MIN", p.ALL_PROD: "PROD", p.CODE: "code"}
 OPERATORS = {
@@ -17,7 +18,6 @@ OPERATORS = {
     p.OR_ASUM: "ASUM",
     p.OR_BSUM: "BSUM",
 }
-GROUPS = {p.GROUP_MAX: "MAX", p.GROUP_BSUM: "BSUM", p.GROUP_NSUM: "NSUM"}
 
 
 def program_text(program: Program) -> str:
@@ -27,8 +27,9 @@ def program_text(program: Program) -> str:
         f"program {program.name}: {sizes}",
         *_memory(program),
         *_grids(program),
+        *_moved(program),
         *_rules(program),
-        *_outputs(program),
+        *outputs_text(program, _names(program)),
     ]
     return "\n".join(lines)
 
@@ -44,8 +45,16 @@ def _names(program: Program) -> dict[int, str]:
     names |= {at: f"{variable} IS NOT {term}" for (variable, term), at in layout.complements.items()}
     for variable, at in layout.brought.items():
         names |= {at: f"degree {variable}", at + 1: f"NOT degree {variable}"}
-    names |= {at: f"accumulated {variable} IS {term}" for (variable, term), at in layout.accumulated.items()}
+    names |= {
+        at: f"accumulated {_subject(key)}" for key, at in ({**layout.accumulated, **layout.asked}).items()
+    }
+    names |= {at: f"area {variable}" for variable, at in layout.areas.items()}
     return names | {layout.clamps: "clamps"}
+
+
+def _subject(key: tuple[str, str | None]) -> str:
+    variable, term = key
+    return variable if term is None else f"{variable} IS {term}"
 
 
 def _memory(program: Program) -> Iterator[str]:
@@ -56,7 +65,7 @@ def _memory(program: Program) -> Iterator[str]:
 
 def _grids(program: Program) -> Iterator[str]:
     ints, floats, names = program.ints, program.floats, _names(program)
-    words = int(ints[p.WORDS])
+    words = int(ints[p.WORDS] + ints[p.SUMMARY])
     for index in range(int(ints[p.GRIDS])):
         grid = ints[ints[p.GRID] + index * p.GRID_SIZE :]
         count, width = int(grid[p.GRID_COUNT]), int(grid[p.GRID_WIDTH])
@@ -67,7 +76,7 @@ def _grids(program: Program) -> Iterator[str]:
         for cell in range(2 * len(knots) + 1):
             row = ints[grid[p.GRID_ROWS] + cell * (width + words) :][: width + words]
             segments = floats[grid[p.GRID_SEGMENTS] + cell * width * p.SEGMENT_SIZE :].reshape(-1)
-            yield f"  {_place(knots, cell):18}  rules {_mask(row[width:], program)}"
+            yield f"  {_place(knots, cell):18}  rules {_mask(row[width + int(ints[p.SUMMARY]) :], program)}"
             for k, slot in enumerate(row[:width].tolist()):
                 if slot in names:
                     origin, value, run = segments[k * p.SEGMENT_SIZE :][: p.SEGMENT_SIZE]
@@ -92,8 +101,19 @@ def _mask(words: np.ndarray[tuple[int], np.dtype[np.int64]], program: Program) -
     return ", ".join(labels) or "none"
 
 
+def _moved(program: Program) -> Iterator[str]:
+    ints, names = program.ints, _names(program)
+    record = int(ints[p.MOVE])
+    for _ in range(int(ints[p.MOVED])):
+        count = int(ints[record + p.MOVE_COUNT])
+        yield ""
+        points = spots_text(record + p.MOVE_SPOTS, count, program, names)
+        yield f"{names[int(ints[record + p.MOVE_SLOT])]}: {points}"
+        record += p.MOVE_SPOTS + p.SPOT_SIZE * count
+
+
 def _rules(program: Program) -> Iterator[str]:
-    ints, floats, names = program.ints, program.floats, _names(program)
+    ints, names = program.ints, _names(program)
     yield ""
     yield "rules"
     for number, label in enumerate(program.rule_labels):
@@ -102,30 +122,28 @@ def _rules(program: Program) -> Iterator[str]:
         rule = ints[ints[ints[p.RULE] + place] :].tolist()
         length = rule[p.RULE_LENGTH]
         code = rule[p.RULE_BODY : p.RULE_BODY + length]
-        body = "; ".join(OPERATORS[each] if each < 0 else names[each] for each in code)
+        body = "; ".join(_body(rule[p.RULE_KIND], code, program, names))
         yield f"  {label}: {KINDS[rule[p.RULE_KIND]]} [{body}]"
         for conclusion in range(rule[p.RULE_THEN]):
             then = rule[p.RULE_BODY + length + conclusion * p.THEN_SIZE :]
             how = "sum" if then[p.THEN_SUM] else "max"
-            yield f"      {how} m{then[p.THEN_DEGREE]}{_weight(then[p.THEN_WEIGHT], floats, names)}"
+            source = then[p.THEN_WEIGHT]
+            weight = f", weight {source_text(source, program, names)}" if source != 0 else ""
+            yield f"      {how} m{then[p.THEN_DEGREE]}{weight}"
 
 
-def _weight(weight: int, floats: np.ndarray[tuple[int], np.dtype[np.float64]], names: dict[int, str]) -> str:
-    if weight == 0:
-        return ""
-    return f", weight {floats[weight]:g}" if weight > 0 else f", weight {names[-1 - weight]}"
-
-
-def _outputs(program: Program) -> Iterator[str]:
-    ints, floats = program.ints, program.floats
-    yield ""
-    yield "outputs"
-    for index, name in enumerate(program.output_names):
-        output = ints[ints[p.OUTPUT] + index * p.OUTPUT_SIZE :][: p.OUTPUT_SIZE].tolist()
-        count, at = output[p.OUT_TERMS], output[p.OUT_PLACES]
-        terms = sum(variable == name.casefold() for variable, _ in program.layout.accumulated)
-        places = ", ".join(f"{place:g}" for place in floats[at : at + terms])
-        kinds = ints[output[p.OUT_KINDS] :][: output[p.OUT_GROUPS]].tolist()
-        algorithms = " and ".join(GROUPS[kind] for kind in kinds) or "MAX"
-        default = "NC" if output[p.OUT_KEEP] else f"{floats[at + count]:g}"
-        yield f"  {name}: {algorithms} at m{output[p.OUT_DEGREES]}, places {places}, DEFAULT {default}"
+def _body(kind: int, code: list[int], program: Program, names: Names) -> Iterator[str]:
+    """Yield the degrees that a condition takes, and its operators."""
+    if kind != p.CODE:
+        yield from (names[slot] for slot in code)
+        return
+    words = iter(code)
+    for word in words:
+        if word >= 0:
+            next(words)
+            yield names[word]
+        elif word <= p.LOOK:
+            look = program.ints[p.LOOK - word :][: p.LOOK_SIZE].tolist()
+            yield f"so far {names[look[p.LOOK_DEGREES] + look[p.LOOK_TERM]]}"
+        else:
+            yield OPERATORS[word]

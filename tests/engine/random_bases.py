@@ -4,6 +4,7 @@ from random import Random
 
 from fcl_sim.model import (
     Accumulation,
+    Activation,
     And,
     AndOperator,
     Conclusion,
@@ -28,51 +29,79 @@ from fcl_sim.model import (
 
 INPUTS = ("a", "b", "c")
 DEGREES = ("d", "e")
+MOVERS = ("m", "n")
 OUTPUTS = ("y", "z")
+GIVEN_OUT = "q"
+LOCALS = ("l", "k")
 AND = (AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF)
 OR = (OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM)
+ACT = (Activation.MIN, Activation.PROD)
 ACCU = (Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM)
+FOR_AREAS = (Method.COG, Method.COG, Method.COA, Method.LM, Method.RM, Method.MM)
+FOR_SINGLETONS = (Method.COGS, Method.COGS, Method.LM, Method.RM, Method.MM)
 
 
-def random_base(seed: int, rules: int) -> FunctionBlock:
-    """Return a rule base of `rules` rules; its inputs a, b, c are fuzzified, d and e come in as degrees."""
+def random_base(seed: int, rules: int, *, chained: bool = True) -> FunctionBlock:
+    """Return a rule base of `rules` rules.
+
+    Its inputs a, b, c are fuzzified, d and e come in as degrees, m and n move
+    points and singletons; y and z are outputs with terms. With `chained` q is
+    an output without terms, l and k are local, and conditions ask for what
+    rules before have concluded.
+    """
     random = Random(seed)  # noqa: S311  nothing secret
     plain = random.random() < 0.4
+    moving = random.random() < 0.3
     fuzzifications = tuple(
-        Fuzzification(name, tuple(_term(random, n) for n in range(random.randint(1, 7)))) for name in INPUTS
-    )
-    defuzzifications = tuple(
-        Defuzzification(
-            variable=name,
-            terms=tuple(
-                Term(f"s{n}", Singleton(random.choice((random.uniform(-100, 100), random.randint(-9, 9)))))
-                for n in range(random.randint(1, 6))
-            ),
-            method=Method.COGS,
-            default=random.choice((None, 0.0, random.uniform(-5, 5))),
+        Fuzzification(
+            name, tuple(_term(random, n, moving=moving and n == 1) for n in range(random.randint(1, 7)))
         )
-        for name in OUTPUTS
+        for name in INPUTS
     )
+    defuzzifications = tuple(_output(random, name, moving=moving) for name in OUTPUTS)
     first = random.randint(0, rules)
-    rule_blocks = tuple(
-        RuleBlock(
-            name=name,
-            and_operator=random.choice(AND[: 2 if plain else 3]),
-            or_operator=random.choice(OR),
-            accumulation=random.choice(ACCU),
-            rules=tuple(
-                _rule(random, str(n), fuzzifications, defuzzifications, plain=plain) for n in range(count)
-            ),
+    accumulations = (random.choice(ACCU), random.choice(ACCU))
+    if random.random() < 0.5:
+        accumulations = accumulations[:1] * 2
+    asked: list[Condition] = []
+    rule_blocks = []
+    for name, accumulation, numbers in (
+        ("first", accumulations[0], range(first)),
+        ("second", accumulations[1], range(first, rules)),
+    ):
+        own = []
+        for number in numbers:
+            rule = _rule(
+                random, str(number), fuzzifications, defuzzifications, asked, plain=plain, chained=chained
+            )
+            own.append(rule)
+            if chained:
+                asked += [
+                    Degree(each.variable) if each.term is None else Is(each.variable, each.term)
+                    for each in rule.conclusions
+                ]
+        rule_blocks.append(
+            RuleBlock(
+                name=name,
+                and_operator=random.choice(AND[: 2 if plain else 3]),
+                or_operator=random.choice(OR),
+                activation=random.choice(ACT),
+                accumulation=accumulation,
+                rules=tuple(own),
+            )
         )
-        for name, count in (("first", first), ("second", rules - first))
-    )
+    inputs = (*INPUTS, *DEGREES, *MOVERS)
     return FunctionBlock(
         name="random",
-        inputs=tuple(Variable(name, initial=random.choice((None, 0.5))) for name in (*INPUTS, *DEGREES)),
-        outputs=tuple(Variable(name, initial=random.choice((None, 1.5))) for name in OUTPUTS),
+        inputs=tuple(Variable(name, initial=random.choice((None, 0.5))) for name in inputs),
+        outputs=tuple(
+            Variable(name, initial=random.choice((None, 1.5)))
+            for name in (*OUTPUTS, *([GIVEN_OUT] if chained else []))
+        ),
+        variables=tuple(map(Variable, LOCALS)),
         fuzzifications=fuzzifications,
         defuzzifications=defuzzifications,
-        rule_blocks=rule_blocks,
+        rule_blocks=tuple(rule_blocks),
     )
 
 
@@ -81,7 +110,9 @@ def random_values(seed: int, base: FunctionBlock) -> dict[str, float]:
     random = Random(seed)  # noqa: S311  nothing secret
     values = {}
     for each in base.fuzzifications:
-        knots = [point.x for term in each.terms for point in term.shape.points]
+        knots = [
+            point.x for term in each.terms for point in term.shape.points if not isinstance(point.x, str)
+        ] or [0.0]
         values[each.variable] = random.choice(
             (
                 random.uniform(-11, 11),
@@ -91,18 +122,61 @@ def random_values(seed: int, base: FunctionBlock) -> dict[str, float]:
         )
     for name in DEGREES:
         values[name] = random.choice((0.0, 1.0, random.random(), random.uniform(-0.5, 1.5)))
+    for name in MOVERS:
+        values[name] = random.choice((float(random.randint(-9, 9)), random.uniform(-12, 12)))
     return values
 
 
-def _term(random: Random, number: int) -> Term:
-    """Return a term of 1 to 5 points; some share an abscissa (a vertical edge)."""
+def _term(random: Random, number: int, *, moving: bool) -> Term:
+    """Return a term of 1 to 5 points; some share an abscissa (a vertical edge), some are moved."""
     count = random.randint(1, 5)
     grid = random.choice((1.0, 0.25, 0.1, 1e-3))
-    xs = sorted(round(random.uniform(-10, 10) / grid) * grid for _ in range(count))
+    xs: list[float | str] = sorted(round(random.uniform(-10, 10) / grid) * grid for _ in range(count))
     if count > 1 and random.random() < 0.3:
         xs[1] = xs[0]
     degrees = [random.choice((0.0, 0.0, 1.0, 1.0, random.random())) for _ in xs]
+    if moving:
+        xs[random.randrange(count)] = random.choice(MOVERS)
     return Term(f"t{number}", Points(tuple(map(Point, xs, degrees))))
+
+
+def _output(random: Random, name: str, *, moving: bool) -> Defuzzification:
+    count = random.randint(1, 6)
+    with_area = random.random() < 0.6
+    limits = random.choice((None, (-10.0, 10.0), tuple(sorted(random.sample(range(-12, 13), 2)))))
+    return Defuzzification(
+        variable=name,
+        terms=tuple(
+            _area(random, n, moving=moving and n == 0) if with_area else _singleton(random, n, moving=moving)
+            for n in range(count)
+        ),
+        method=random.choice(FOR_AREAS if with_area else FOR_SINGLETONS),
+        default=random.choice((None, 0.0, random.uniform(-5, 5))),
+        range=limits if with_area else None,
+    )
+
+
+def _area(random: Random, number: int, *, moving: bool) -> Term:
+    """Return an output's term: a triangle, a trapezium, a rectangle, or anything."""
+    kind = random.randrange(5)
+    if kind < 3 and not moving:
+        grid = random.choice((1.0, 0.25, 0.1))
+        a, b, c, d = sorted(round(random.uniform(-10, 10) / grid) * grid for _ in range(4))
+        xs, degrees = (((a, b, d), (0, 1, 0)), ((a, b, c, d), (0, 1, 1, 0)), ((a, a, d, d), (0, 1, 1, 0)))[
+            kind
+        ]
+        return Term(
+            f"t{number}",
+            Points(tuple(Point(x, float(degree)) for x, degree in zip(xs, degrees, strict=True))),
+        )
+    return _term(random, number, moving=moving)
+
+
+def _singleton(random: Random, number: int, *, moving: bool) -> Term:
+    place: float | str = random.choice((random.uniform(-100, 100), float(random.randint(-9, 9))))
+    if moving and random.random() < 0.3:
+        place = random.choice(MOVERS)
+    return Term(f"t{number}", Singleton(place))
 
 
 def _rule(
@@ -110,33 +184,42 @@ def _rule(
     label: str,
     fuzzifications: tuple[Fuzzification, ...],
     defuzzifications: tuple[Defuzzification, ...],
+    asked: list[Condition],
     *,
     plain: bool,
+    chained: bool,
 ) -> Rule:
     count = random.choice((1, 1, 1, 2, 3))
     conclusions = []
     for _ in range(count):
-        output = random.choice(defuzzifications)
         weight = random.choice((1.0, 1.0, 1.0, random.random(), 0.0, random.choice(DEGREES)))
+        if chained and random.random() < 0.15:
+            conclusions.append(Conclusion(random.choice((GIVEN_OUT, *LOCALS)), None, weight))
+            continue
+        output = random.choice(defuzzifications)
         conclusions.append(Conclusion(output.variable, random.choice(output.terms).name, weight))
     if plain:
         chosen = random.sample(fuzzifications, random.randint(1, 3))
         parts = tuple(Is(each.variable, random.choice(each.terms).name) for each in chosen)
         condition: Condition = And(parts) if len(parts) > 1 else parts[0]
     else:
-        condition = _condition(random, fuzzifications, random.choice((0, 1, 1, 2, 3)))
+        condition = _condition(random, fuzzifications, random.choice((0, 1, 1, 2, 3)), asked)
     return Rule(label, condition, tuple(conclusions))
 
 
-def _condition(random: Random, fuzzifications: tuple[Fuzzification, ...], depth: int) -> Condition:
+def _condition(
+    random: Random, fuzzifications: tuple[Fuzzification, ...], depth: int, asked: list[Condition]
+) -> Condition:
     if depth == 0 or random.random() < 0.1:
         each = random.choice(fuzzifications)
         leaf: Condition = Is(each.variable, random.choice(each.terms).name)
         if random.random() < 0.15:
             leaf = Degree(random.choice(DEGREES))
+        if asked and random.random() < 0.15:
+            leaf = random.choice(asked)
         return Not(leaf) if random.random() < 0.2 else leaf
     if random.random() < 0.1:
-        return Not(_condition(random, fuzzifications, depth - 1))
+        return Not(_condition(random, fuzzifications, depth - 1, asked))
     joined = And if random.random() < 0.6 else Or
     count = random.randint(2, 3)
-    return joined(tuple(_condition(random, fuzzifications, depth - 1) for _ in range(count)))
+    return joined(tuple(_condition(random, fuzzifications, depth - 1, asked) for _ in range(count)))

@@ -21,7 +21,7 @@ SMALL = block(
 )
 
 SHOWN = """\
-program small: 107 integers, 54 floats, 19 words of memory
+program small: 118 integers, 54 floats, 21 words of memory
 
 memory (the first 6 words are recorded)
   m0    x

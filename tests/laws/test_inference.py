@@ -4,7 +4,6 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
 from hypothesis import given, settings
@@ -12,11 +11,10 @@ from hypothesis import strategies as st
 
 import fcl_sim.engine.infer as kernel
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import evaluate_one
 from fcl_sim.engine.evaluate import evaluate
 from fcl_sim.engine.instance import Instance
 from fcl_sim.model import Accumulation
-from tests import oracle
+from tests.engine.agreement import errors, infer
 from tests.engine.random_bases import random_base, random_values
 from tests.house.places import ROOT
 
@@ -24,45 +22,12 @@ SEEDS = st.integers(0, 2**32 - 1)
 SIZES = st.sampled_from((0, 1, 2, 5, 12, 31, 32, 33, 70))
 
 
-def infer(program, values, previous=None):
-    """Return the instance memory after one evaluation."""
-    memory = program.initial.copy()
-    for place, name in enumerate(program.input_names):
-        memory[place] = values[name]
-    for place, name in enumerate(program.output_names, program.outputs_at):
-        memory[place] = (previous or {}).get(name, memory[place])
-    evaluate_one(program.ints, program.floats, memory)
-    return memory
-
-
-@settings(max_examples=200)
+@settings(max_examples=400)
 @given(SEEDS, SIZES)
 def test_every_step_agrees_with_the_oracle(seed, rules):
     base = random_base(seed, rules)
-    program = assemble(base)
-    values = random_values(seed, base)
-    previous = {"y": 7.25, "z": -3.5}
-    memory = infer(program, values, previous)
-    opinion = oracle.evaluate(base, values, previous)
-    for key, degree in opinion.terms.items():
-        assert abs(Fraction(memory[program.layout.terms[key]]) - degree) <= 2**-51 * degree
-    for label, ours, degree in zip(
-        program.rule_labels, memory[program.degrees_at :], opinion.rules, strict=False
-    ):
-        assert abs(ours - degree) <= 1e-14, label
-    for key, degree in opinion.accumulated.items():
-        assert abs(memory[program.layout.accumulated[key]] - degree) <= 1e-13
-    for place, output in enumerate(base.defuzzifications):
-        name = output.variable
-        height = sum(opinion.accumulated[name, term.name] for term in output.terms)
-        ours = sum(memory[program.layout.accumulated[name, term.name.casefold()]] for term in output.terms)
-        if 0 < max(ours, height) < 1e-9:
-            continue  # ill-posed: what is left of degrees that cancel
-        assert (memory[program.active_at + place] != 0.0) == opinion.active[name]
-        # 1e-12 of the range; NOT and BDIF leave degrees known to 1e-16 of 1, not of themselves
-        scale = max(abs(term.shape.value) for term in output.terms) + 10
-        bound = scale * max(1e-12, 1e-14 / float(height)) if height else 0
-        assert abs(memory[program.outputs_at + place] - opinion.outputs[name]) <= bound
+    for what, error, bound in errors(base, random_values(seed, base)):
+        assert error <= bound, what
 
 
 @settings(max_examples=50)
@@ -83,8 +48,8 @@ def test_a_call_and_an_array_give_the_same_bits(seed, rules):
 
 @settings(max_examples=50)
 @given(SEEDS, SIZES)
-def test_the_order_of_rules_changes_nothing(seed, rules):
-    base = random_base(seed, rules)
+def test_the_order_of_rules_changes_nothing_that_does_not_ask_for_it(seed, rules):
+    base = random_base(seed, rules, chained=False)
     shuffle = np.random.default_rng(seed)
     shuffled = replace(
         base,
@@ -103,7 +68,7 @@ def test_the_order_of_rules_changes_nothing(seed, rules):
 
 @given(SEEDS)
 def test_a_rule_with_weight_0_counts_for_nothing(seed):
-    base = random_base(seed, 9)
+    base = random_base(seed, 9, chained=False)
     idle = [
         replace(rule, conclusions=tuple(replace(each, weight=0.0) for each in rule.conclusions))
         for rule in base.rule_blocks[0].rules
@@ -119,7 +84,7 @@ def test_a_rule_with_weight_0_counts_for_nothing(seed):
             assert ours.outputs[name] == theirs.outputs[name]
 
 
-@given(SEEDS, st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=5, max_size=5))
+@given(SEEDS, st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=7, max_size=7))
 def test_a_finite_input_gives_a_finite_output(seed, numbers):
     base = random_base(seed, 20)
     program = assemble(base)

@@ -1,0 +1,158 @@
+"""Outputs become records: how what has accumulated becomes a number."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+from fcl_sim.arithmetic.polyline import LEVEL_SIZE, POINT_SIZE, VERTEX_SIZE
+from fcl_sim.engine import program as p
+from fcl_sim.engine.assemble_rules import GROUP_KIND, accumulation
+from fcl_sim.engine.buffers import Buffers, word_source
+from fcl_sim.engine.grid import Base
+from fcl_sim.engine.plan import Plan
+from fcl_sim.engine.plan_areas import AreaPlan, Pair, Part, points_of
+from fcl_sim.model import Activation, Defuzzification, FunctionBlock, Method, Singleton
+
+METHODS = {
+    Method.COG: p.METHOD_COG,
+    Method.COGS: p.METHOD_COG,
+    Method.COA: p.METHOD_COA,
+    Method.LM: p.METHOD_LM,
+    Method.RM: p.METHOD_RM,
+    Method.MM: p.METHOD_MM,
+}
+
+
+def put_outputs(
+    buffers: Buffers, block: FunctionBlock, own: Plan, room: int
+) -> tuple[int, dict[str, int], int]:
+    """Append a record for every output. One that nothing is said about keeps its value.
+
+    Return where they begin, the result words of outputs with areas, and how
+    many words of the memory, from `room` on, are taken.
+    """
+    by_name = {each.variable.casefold(): each for each in block.defuzzifications}
+    records: list[int] = []
+    results: dict[str, int] = {}
+    for index, variable in enumerate(block.outputs):
+        name = variable.name.casefold()
+        value, active = len(own.inputs) + index, len(own.inputs) + len(own.outputs) + index
+        if name in own.areas:
+            record, taken = _with_area(buffers, own, by_name[name], room)
+            results[name] = room
+            room += taken
+        else:
+            record = _without_area(buffers, own, name, by_name.get(name))
+        records += [value, active, *record]
+    return buffers.put(records), results, room
+
+
+def _without_area(buffers: Buffers, own: Plan, name: str, output: Defuzzification | None) -> tuple[int, ...]:
+    """Return the rest of the record of an output with singletons, or with nothing but a degree."""
+    if name not in own.accumulators:
+        return p.BY_COGS, 0, 0, 0, 0, 0, 1, 0, 0
+    terms, at, groups, kinds = accumulation(buffers, own.accumulators[name])
+    if output is None:
+        return p.BY_DEGREE, terms, buffers.put_floats([0.0] * (terms + 1)), at, groups, kinds, 0, 0, 0
+    values = [term.shape.value for term in output.terms if isinstance(term.shape, Singleton)]
+    spare = [0.0] * (terms - len(values))
+    plain = METHODS[output.method] == p.METHOD_COG and not any(isinstance(value, str) for value in values)
+    constants = [0.0 if isinstance(value, str) else value for value in values]
+    places = buffers.put_floats([*constants, *spare, _default(output)])
+    more = 0 if plain else buffers.put(buffers.source(own, value) for value in [*values, *spare])
+    kind = p.BY_COGS if plain else p.BY_SINGLETONS
+    keep = int(output.default is None)
+    return kind, terms, places, at, groups, kinds, keep, METHODS[output.method], more
+
+
+def _default(output: Defuzzification) -> float:
+    return 0.0 if output.default is None else output.default
+
+
+def _with_area(
+    buffers: Buffers, own: Plan, output: Defuzzification, room: int
+) -> tuple[tuple[int, ...], int]:
+    """Return the rest of the record of an output with areas, and how many words of memory it takes."""
+    area = own.areas[output.variable.casefold()]
+    pairs = max((len(part.pairs) for _, parts in area.groups for part in parts), default=0)
+    vertices = [area.counts[part.term] * (1 + len(part.pairs)) for _, parts in area.groups for part in parts]
+    size = VERTEX_SIZE * (4 * sum(vertices) + 8)
+    levels = room + 2
+    part_at = levels + LEVEL_SIZE * (pairs + 1)
+    line_at = part_at + VERTEX_SIZE * max(vertices, default=0)
+    terms_at = line_at + size * (3 if len(area.groups) > 1 else 2)
+    moves, sources, ends, taken = _terms(buffers, own, output, area, terms_at)
+    record = (
+        buffers.put_floats(area.limits or (0.0, 0.0)),
+        int(area.limits is None),
+        len(moves),
+        buffers.put(word for move in moves for word in move),
+        len(area.groups),
+        buffers.put(
+            word
+            for kind, parts in area.groups
+            for word in _group(buffers, own, GROUP_KIND[kind], parts, sources, ends)
+        ),
+        levels,
+        part_at,
+        line_at,
+        size,
+        room,
+    )
+    places = buffers.put_floats([_default(output)])
+    keep = int(output.default is None)
+    more = buffers.put(record)
+    return (p.BY_AREA, 0, places, 0, 0, 0, keep, METHODS[output.method], more), taken - room
+
+
+def _terms(
+    buffers: Buffers, own: Plan, output: Defuzzification, area: AreaPlan, at: int
+) -> tuple[list[list[int]], list[int], list[int], int]:
+    """Return records of moved terms; sources and ends of all terms' points; and the next free word."""
+    if area.bases is not None:
+        sources = [buffers.put_floats(_points(base)) for base in area.bases]
+        return [], sources, [-1 - len(base) for base in area.bases], at
+    moves, sources, ends = [], [], []
+    for term, count in zip(output.terms, area.counts, strict=True):
+        points = points_of(term)
+        end, at = at, at + 1
+        moves.append([at, end, len(points), *buffers.spots(own, points)])
+        sources.append(word_source(at))
+        ends.append(end)
+        at += POINT_SIZE * count
+    return moves, sources, ends, at
+
+
+def _points(base: Base) -> list[float]:
+    """Return points as the kernel takes them: abscissa, degree and run to the next (arithmetic.polyline)."""
+    runs = [
+        (right - left) / (high - low) if high != low else Fraction(0)
+        for (left, low), (right, high) in pairwise(base)
+    ]
+    runs += [Fraction(0)] * (len(base) - len(runs))
+    points = [(x, degree, run) for (x, degree), run in zip(base, runs, strict=True)]
+    return [float(number) for point in points for number in point]
+
+
+def _group(
+    buffers: Buffers,
+    own: Plan,
+    kind: int,
+    parts: Sequence[Part],
+    sources: Sequence[int],
+    ends: Sequence[int],
+) -> list[int]:
+    """Return an accumulation and its parts; a term that is 0 all over the range makes none."""
+    there = [part for part in parts if ends[part.term] != -1]
+    words = [kind, len(there)]
+    for part in there:
+        words += [sources[part.term], ends[part.term], len(part.pairs)]
+        words += [word for pair in part.pairs for word in _pair(buffers, own, pair)]
+    return words
+
+
+def _pair(buffers: Buffers, own: Plan, pair: Pair) -> tuple[int, int]:
+    """Return the sources of the degree that cuts off, and of the factor."""
+    if pair.activation is Activation.PROD:
+        return 0, word_source(pair.word)
+    return word_source(pair.word), buffers.weight(own, pair.weight)

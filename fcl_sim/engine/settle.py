@@ -1,0 +1,62 @@
+"""Outputs that are not CoGS of constant singletons: degrees given out, other singletons, areas."""
+
+from math import inf
+
+from numpy import float64, int64
+from numpy.typing import NDArray
+
+from fcl_sim.arithmetic.defuzzify import TIE
+from fcl_sim.arithmetic.operators import maximum, minimum
+from fcl_sim.engine.areas import settle_area
+from fcl_sim.engine.moving import abscissa
+from fcl_sim.engine.program import (
+    BY_AREA,
+    BY_DEGREE,
+    FLOATS,
+    METHOD_COG,
+    METHOD_LM,
+    METHOD_RM,
+    OUT_DEGREES,
+    OUT_KIND,
+    OUT_METHOD,
+    OUT_MORE,
+    OUT_TERMS,
+)
+from fcl_sim.jit import flat, u
+
+Ints = NDArray[int64]
+Floats = NDArray[float64]
+
+
+@flat
+def settle(
+    ints: Ints, floats: Floats, at: int, output: int, memory: Floats, base: int
+) -> tuple[float, float]:
+    """Return the value of an output, and a number that is 0 where no rule is active for it."""
+    kind = ints[u(output + OUT_KIND)]
+    degrees = base + ints[u(output + OUT_DEGREES)]
+    method = ints[u(output + OUT_METHOD)]
+    more = at + ints[u(output + OUT_MORE)]
+    if kind == BY_DEGREE:
+        return float(memory[u(degrees)]), float(memory[u(degrees)])
+    if kind == BY_AREA:
+        return settle_area(ints, floats, at, more, method, memory, base)
+    terms = ints[u(output + OUT_TERMS)]
+    origin = ints[u(at + FLOATS)]
+    total = top = 0.0
+    for term in range(terms):
+        total += memory[u(degrees + term)]
+        top = maximum(top, memory[u(degrees + term)])
+    if total == 0.0:
+        return 0.0, 0.0
+    centre, left, right = 0.0, inf, -inf
+    for term in range(terms):
+        place = abscissa(ints[u(more + term)], floats, origin, memory, base)
+        degree = memory[u(degrees + term)]
+        centre += place * (degree / total)
+        if degree >= TIE * top:
+            left, right = minimum(left, place), maximum(right, place)
+    if method == METHOD_COG:
+        return centre, total
+    both = 0.5 * left + 0.5 * right
+    return left if method == METHOD_LM else right if method == METHOD_RM else both, total
