@@ -9,6 +9,7 @@ FEATURES: dict[str, str] = {
     "enabled": "ENABLED: parts that can be switched off",
     "formula": "terms that are formulae",
     "hedge": "hedges in conditions",
+    "line comment": "comments to the end of the line (Table 11)",
     "lock": "LOCK: outputs held or kept in their range",
     "method": "methods of defuzzification other than those of Table 1",
     "none": "NONE in place of an algorithm",

@@ -14,6 +14,7 @@ from fcl_sim.fcl.findings import in_order
 from fcl_sim.fcl.parser import parse
 from fcl_sim.fcl.resolver import resolve
 from fcl_sim.fcl.scanner import scan
+from fcl_sim.fcl.tokens import Scan
 from fcl_sim.fcl.tree import Tree
 from fcl_sim.model import FunctionBlock, Level, Note
 
@@ -67,7 +68,10 @@ def read(text: str, name: str = "<text>") -> Reading:
     faulty = any(each.severity is Severity.ERROR for each in diagnostics)
     if faulty:
         return Reading((), diagnostics)
-    notes = (*scanned.notes, *parsed.notes, *resolved.notes, *_slips(diagnostics))
+    stretches = sorted((each.start, each.end) for each in parsed.tree.verbatim)
+    scanned_notes = (each for each in scanned.notes if not _is_within(each.span, stretches))
+    noted = (*scanned_notes, *parsed.notes, *resolved.notes)
+    notes = (*noted, *_line_comments(scanned), *_slips(diagnostics))
     return Reading(_annotated(parsed.tree, resolved.blocks, notes), diagnostics)
 
 
@@ -80,6 +84,15 @@ def _refuse_ffll(source: Source, declaration: re.Match[str]) -> Diagnostic:
         hint="write `name: REAL;`, the range as `RANGE := (low .. high);`, "
         "and rules with variables: `IF variable IS term`",
     )
+
+
+def _line_comments(scanned: Scan) -> list[Note]:
+    """Return a note for each comment that goes to the end of its line: Table 11 asks for them."""
+    return [
+        Note("line comment", "//", Level.BASIC, Span(scanned.source, each.start, each.end))
+        for each in scanned.comments
+        if each.text.startswith("//")
+    ]
 
 
 def _slips(diagnostics: Sequence[Diagnostic]) -> list[Note]:
@@ -115,7 +128,7 @@ def _outside(diagnostics: Sequence[Diagnostic], verbatim: Sequence[Span]) -> lis
     for each in diagnostics:
         places = each.places
         if each.code in _CHARACTERS:
-            places = tuple(place for place in places if not _is_within(place, stretches))
+            places = tuple(place for place in places if not _is_within(place.span, stretches))
         if places:
             kept.append(
                 Diagnostic(
@@ -129,8 +142,8 @@ def _outside(diagnostics: Sequence[Diagnostic], verbatim: Sequence[Span]) -> lis
     return kept
 
 
-def _is_within(place: Place, stretches: Sequence[tuple[int, int]]) -> bool:
-    if place.span is None:
+def _is_within(span: Span | None, stretches: Sequence[tuple[int, int]]) -> bool:
+    if span is None:
         return False
-    at = bisect_right(stretches, (place.span.start, sys.maxsize)) - 1
-    return at >= 0 and place.span.start < stretches[at][1]
+    at = bisect_right(stretches, (span.start, sys.maxsize)) - 1
+    return at >= 0 and span.start < stretches[at][1]

@@ -172,8 +172,12 @@ def locks(scope: Scope, setting: Setting | None) -> frozenset[str]:
     return frozenset(each.key for each in flags.words)
 
 
-def range_of(scope: Scope, limits: Range) -> tuple[float, float] | None:
-    """Return the limits of a range; None where it has none, or once an empty one has been reported."""
+def range_of(scope: Scope, limits: Range, *, bounds: bool = False) -> tuple[float, float] | None:
+    """Return the limits of a range; None where it has none, or once an empty one has been reported.
+
+    `bounds` says that the range bounds areas: then one of a single value is an
+    error, and else a warning.
+    """
     low, high = limits.low, limits.high
     if not (math.isfinite(low.value) and math.isfinite(high.value)):
         scope.findings.feature("range", "a range without limits", limits)
@@ -182,7 +186,10 @@ def range_of(scope: Scope, limits: Range) -> tuple[float, float] | None:
         return low.value, high.value
     spans = scope.findings.span(low), scope.findings.span(high)
     message = f"the range is empty: {spans[0].text} is not below {spans[1].text}"
-    scope.findings.error("FCL337", message, limits)
+    if low.value == high.value and not bounds:
+        scope.findings.warning("FCL337", message, limits, hint="it has no effect here")
+    else:
+        scope.findings.error("FCL337", message, limits)
     return None
 
 

@@ -56,7 +56,7 @@ def resolve_defuzzify(scope: Scope, section: Defuzzify) -> Defuzzification | Non
     resolved = resolve_terms(scope, terms, section.terms, output=True)
     _enter(scope, section, declared, terms)
     settings = settings_by_key(scope, section.settings)
-    limits = _range(scope, settings)
+    limits = _range(scope, settings, bounds=_areas(resolved))
     method = _method(scope, section, settings.get("METHOD"), resolved)
     default, held = _default(scope, section, settings)
     locked = locks(scope, settings.get("LOCK"))
@@ -195,6 +195,8 @@ def _default(scope: Scope, section: Defuzzify, settings: Mapping[str, Setting]) 
     return default_of(scope, settings.get("DEFAULT"))
 
 
-def _range(scope: Scope, settings: Mapping[str, Setting]) -> tuple[float, float] | None:
+def _range(
+    scope: Scope, settings: Mapping[str, Setting], *, bounds: bool = False
+) -> tuple[float, float] | None:
     value = settings["RANGE"].value if "RANGE" in settings else None
-    return range_of(scope, value) if isinstance(value, Range) else None
+    return range_of(scope, value, bounds=bounds) if isinstance(value, Range) else None

@@ -2,6 +2,7 @@
 
 import re
 import unicodedata
+from collections.abc import Iterator
 
 from fcl_sim.diagnostics import Source
 from fcl_sim.fcl.findings import Findings
@@ -13,7 +14,7 @@ _PATTERN = re.compile(
     (?: ([^\W\d]\w*+)(?!\#)
       | ((?:[0-9][0-9_]*+(?:\.(?!\.)[0-9_]*+)?|\.[0-9][0-9_]*+)(?:[eE][+\-]?[0-9][0-9_]*+)?)(?![\w\#]|\.\w)
       | (:=|\.\.|[:;,).=+\-^|%]|\((?!\*)|/(?![/*])|\*(?!\)))
-      | (\(\*.*?(?:\*\)|\Z)|/\*.*?(?:\*/|\Z)|//[^\n]*+|\#[^\n]*+)
+      | (\(\*.*?(?:\*\)|\Z)|/\*.*?(?:\*/|\Z)|//[^\n]*+|\#(?:(?!END_OPTION)[^\n])*+)
       | ((?:[^\W\d]|[0-9])\w*+\#(?:[+\-](?=\w))?(?:[\w\#]|\.(?=[\w])|(?<=[eE])[+\-](?=[0-9]))*)
       | ([0-9]\w*+(?:\.\w++)*)
       | (\*\))
@@ -64,18 +65,7 @@ def scan(source: Source) -> Scan:
     findings = Findings(source)
     tokens: list[Token] = []
     comments: list[Comment] = []
-    skipped = 0
-    for match in _PATTERN.finditer(source.text):
-        group = match.lastindex
-        if group is None:
-            break
-        text = match[group]
-        start = match.start(group)
-        if start < skipped:
-            continue
-        if text == "%" and _begins_line(source.text, start):
-            text, group = _line(source.text, start), _COMMENT
-            skipped = start + len(text)
+    for group, start, text in _words(source.text):
         if group == _COMMENT:
             comments.append(Comment(text, start))
             if text[0] in "#%":
@@ -99,14 +89,23 @@ def scan(source: Source) -> Scan:
     )
 
 
-def _begins_line(text: str, start: int) -> bool:
-    """Return whether only space stands before `start` in its line."""
-    return not text[text.rfind("\n", 0, start) + 1 : start].strip()
-
-
-def _line(text: str, start: int) -> str:
-    end = text.find("\n", start)
-    return text[start:] if end < 0 else text[start:end]
+def _words(text: str) -> Iterator[tuple[int, int, str]]:
+    """Yield what `_PATTERN` finds: group, offset and text; a line that begins with % is a comment."""
+    at = 0
+    while at <= len(text):
+        for match in _PATTERN.finditer(text, at):
+            group = match.lastindex
+            if group is None:
+                return
+            word, start = match[group], match.start(group)
+            if word == "%" and (start == 0 or "\n" in text[match.start() : start]):
+                end = text.find("\n", start)
+                at = len(text) if end < 0 else end
+                yield _COMMENT, start, text[start:at]
+                break
+            yield group, start, word
+        else:
+            return
 
 
 def _closed(comment: str) -> bool:

@@ -1,31 +1,16 @@
 """Bad rule bases as data: each guilty line names the codes that it must be given, in a comment."""
 
 import re
-from collections import Counter
 from pathlib import Path
 
 import pytest
 
 from fcl_sim import fcl
 from fcl_sim.diagnostics.codes import CODES
+from tests.fcl.annotations import CODE, expected, found
 
 FOLDER = Path(__file__).parent / "bad"
 FILES = sorted(FOLDER.glob("*.fcl"))
-CODE = re.compile(r"FCL\d{3}")
-
-
-def expected(text):
-    lines = enumerate(text.split("\n"), start=1)
-    return Counter((number, code) for number, line in lines for code in CODE.findall(line))
-
-
-def found(reading):
-    return Counter(
-        (place.span.line, diagnostic.code)
-        for diagnostic in reading.diagnostics
-        for place in diagnostic.places
-        if not place.label  # a place with a label is what the guilty one clashes with
-    )
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)

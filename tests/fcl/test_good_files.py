@@ -1,11 +1,18 @@
-"""Rule bases that are read without a finding."""
+"""Rule bases that are read: those of COUNTS without a finding, the others with those they name.
 
+Their first line names the notes that the model takes; a finding is named in a
+comment on its line.
+"""
+
+import re
 from pathlib import Path
 
 import pytest
 
 from fcl_sim import fcl
+from fcl_sim.fcl.features import FEATURES
 from fcl_sim.model import And, Degree, Is, Method, Not, Or, Point, Points
+from tests.fcl.annotations import expected, found
 
 FOLDER = Path(__file__).parent / "good"
 
@@ -30,8 +37,24 @@ COUNTS = {  # function blocks; inputs, outputs, terms of inputs, terms of output
 }
 
 
-def test_every_good_file_is_counted():
-    assert {file.stem for file in FOLDER.glob("*.fcl")} == set(COUNTS)
+ANNOTATED = sorted(file for file in FOLDER.glob("*.fcl") if file.stem not in COUNTS)
+NOTES = re.compile(r"\(\* notes: (.*) \*\)\n")
+
+
+@pytest.mark.parametrize("file", ANNOTATED, ids=lambda file: file.stem)
+def test_a_legitimate_file_is_read_with_the_findings_and_notes_that_it_names(file):
+    text = file.read_text("utf-8")
+    reading = fcl.read_file(file)
+    assert reading.errors == ()
+    assert found(reading) == expected(NOTES.sub("\n", text))
+    named = NOTES.match(text)[1].split(", ")
+    noted = {note.code for block in reading.blocks for note in block.notes}
+    assert sorted(noted - {"line comment"}) == ([] if named == ["none"] else named)
+
+
+def test_every_feature_of_the_open_level_has_its_good_file():
+    named = {each for file in ANNOTATED for each in NOTES.match(file.read_text("utf-8"))[1].split(", ")}
+    assert set(FEATURES) - named <= {"line comment"}  # most files have one
 
 
 @pytest.mark.parametrize("name", COUNTS)
