@@ -16,6 +16,10 @@ from fcl_sim.diagnostics.as_json import as_json
 from fcl_sim.diagnostics.as_sarif import as_sarif
 from fcl_sim.diagnostics.render import render, summary
 from fcl_sim.engine.assemble import assemble
+from fcl_sim.fcl.conformance_excess import excesses
+from fcl_sim.fcl.conformance_statement import Statement
+from fcl_sim.fcl.conformance_targets import target
+from fcl_sim.fcl.targets import NAMES
 
 FORMATS = ("text", "json", "sarif", "github")
 
@@ -26,7 +30,14 @@ FORMATS = ("text", "json", "sarif", "github")
     "--format", "form", type=click.Choice(FORMATS), default="text", help="How findings are printed."
 )
 @click.option("--json", "form", flag_value="json", help="Print one JSON document: --format json.")
-def command(paths: tuple[Path, ...], form: str) -> Exit:
+@click.option(
+    "--target",
+    "targets",
+    metavar="NAME|FILE.toml",
+    multiple=True,
+    help=f"Hold them against the statement of a PLC as well: {', '.join(NAMES)}, or a file.",
+)
+def command(paths: tuple[Path, ...], form: str, targets: tuple[str, ...]) -> Exit:
     """Read rule bases and list what is wrong with them.
 
     PATH is a file, a folder to search for *.fcl, or a pattern.
@@ -35,8 +46,9 @@ def command(paths: tuple[Path, ...], form: str) -> Exit:
     evaluated. What the rules say together (gaps, contradictions, rules without effect) is not looked at.
     `fcl-sim explain CODE` tells more about a finding.
     """
+    statements = [target(each) for each in targets]
     files, faults = rule_bases(paths)
-    findings = [*faults, *(each for file in files for each in _findings(file))]
+    findings = [*faults, *(each for file in files for each in _findings(file, statements))]
     match form:
         case "json":
             click.echo(_document(as_json(findings, [str(each) for each in files])))
@@ -50,7 +62,7 @@ def command(paths: tuple[Path, ...], form: str) -> Exit:
     return Exit.INPUT if any(each.is_error for each in findings) else Exit.GREEN
 
 
-def _findings(file: Path) -> list[Diagnostic]:
+def _findings(file: Path, statements: Sequence[Statement]) -> list[Diagnostic]:
     """Return everything that is to be said about a file, whether it can be read or not."""
     try:
         reading = fcl.read_file(file)
@@ -62,6 +74,8 @@ def _findings(file: Path) -> list[Diagnostic]:
             assemble(block)
         except InputFault as fault:
             findings += fault.diagnostics
+        for statement in statements:
+            findings += excesses(block, statement)
     return [each if each.places else replace(each, places=(Place(file=str(file)),)) for each in findings]
 
 
