@@ -15,7 +15,6 @@ from fcl_sim.fcl.parser import parse
 from fcl_sim.fcl.resolver import resolve
 from fcl_sim.fcl.scanner import scan
 from fcl_sim.fcl.tokens import Scan
-from fcl_sim.fcl.tokens import Scan
 from fcl_sim.fcl.tree import Tree
 from fcl_sim.model import FunctionBlock, Level, Note
 
@@ -85,15 +84,6 @@ def _refuse_ffll(source: Source, declaration: re.Match[str]) -> Diagnostic:
         hint="write `name: REAL;`, the range as `RANGE := (low .. high);`, "
         "and rules with variables: `IF variable IS term`",
     )
-
-
-def _line_comments(scanned: Scan) -> list[Note]:
-    """Return a note for each comment that goes to the end of its line: Table 11 asks for them."""
-    return [
-        Note("line comment", "//", Level.BASIC, Span(scanned.source, each.start, each.end))
-        for each in scanned.comments
-        if each.text.startswith("//")
-    ]
 
 
 def _line_comments(scanned: Scan) -> list[Note]:
