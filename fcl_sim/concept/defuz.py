@@ -111,7 +111,7 @@ def defuz_sti(inputs: Ints, count: int, outputs: Ints, rounding: int) -> int:
     if count > MOST:
         return TOO_MANY
     terms = inputs[u(1)]
-    event = mean_int(inputs, TERMS, PLACES, 1, max(0, min(terms, count)), outputs, rounding)
+    event = mean_int(inputs, TERMS, PLACES, 1, min(terms, count), outputs, rounding)
     return WARNED_WRONG_NUMBER if event == NOTHING and terms != count else event
 
 
@@ -121,7 +121,7 @@ def defuz_str(inputs: Reals, count: int, outputs: Reals) -> int:
     if count > MOST:
         return TOO_MANY
     terms = int(inputs[u(1)])
-    event = mean_real(inputs, TERMS, PLACES, 1, max(0, min(terms, count)), outputs)
+    event = mean_real(inputs, TERMS, PLACES, 1, min(terms, count), outputs)
     return WARNED_WRONG_NUMBER if event == NOTHING and terms != count else event
 
 
