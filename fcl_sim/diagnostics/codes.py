@@ -101,6 +101,7 @@ CODES: dict[str, str] = {
     "FCL513": "a target makes something else of an element",
     "FCL514": "the statement of a target does not say something",
     "FCL515": "the statement of a target has remarks",
+    "FCL516": "a target may not read a form of writing",
     "FCL520": "there is no such target",
     "FCL521": "the statement of a target is not TOML",
     "FCL522": "the statement of a target says something twice",

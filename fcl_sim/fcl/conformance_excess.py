@@ -14,6 +14,10 @@ BASIC = 8
 """The table of what every target has."""
 
 
+FORMS = ("form", "norm", "further method")
+"""Rows of features that are a matter of writing: an element tells what is meant."""
+
+
 def excesses(block: FunctionBlock, statement: Statement) -> tuple[Diagnostic, ...]:
     """Return what a function block uses that the target does not have, has not enough of, or does otherwise.
 
@@ -28,6 +32,7 @@ def excesses(block: FunctionBlock, statement: Statement) -> tuple[Diagnostic, ..
         *_types(block, statement),
         *_limits(block, statement),
         *_otherwise(used, statement),
+        *_forms(used, statement),
         *_unsaid(used, statement),
         *_remarks(block, statement),
     )
@@ -120,6 +125,18 @@ def _unsaid(used: tuple[Feature, ...], statement: Statement) -> Iterator[Diagnos
                 severity=Severity.NOTE,
                 places=_places(each.places),
                 hint=f"look it up and add `{each.key}` to the statement",
+            )
+
+
+def _forms(used: tuple[Feature, ...], statement: Statement) -> Iterator[Diagnostic]:
+    for each in used:
+        if not each.key and each.row.name in FORMS:
+            yield Diagnostic(
+                code="FCL516",
+                message=f"{statement.name} may not read this: {each.words}",
+                severity=Severity.WARNING,
+                places=_places(each.places),
+                hint="fcl-sim fmt writes it as the standard does",
             )
 
 

@@ -1,15 +1,16 @@
 """Model → what it uses of Tables 8, 9 and 10, and where (clause 6.1)."""
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import dataclass
 from math import isnan
 
 from fcl_sim.diagnostics import Span
 from fcl_sim.fcl.conformance_conditions import Use, used_in_rule
-from fcl_sim.fcl.conformance_elements import ELEMENTS, YES, known
+from fcl_sim.fcl.conformance_elements import ELEMENTS, YES, Choice, known
 from fcl_sim.fcl.conformance_tables import ROWS, SHAPES, TABLES, Row
 from fcl_sim.fcl.features import FEATURES
 from fcl_sim.model import (
+    AndOperator,
     Curve,
     Defuzzification,
     Formula,
@@ -17,6 +18,7 @@ from fcl_sim.model import (
     Fuzzification,
     Level,
     Note,
+    OrOperator,
     Points,
     RuleBlock,
     Singleton,
@@ -29,13 +31,18 @@ BASIC_POINTS, MOST_POINTS = 3, 4
 
 # fmt: off
 TOLD_BY_MODEL = frozenset((
-    "accumulation", "default", "degree", "enabled", "formula", "hedge", "method", "norm", "points",
+    "accumulation", "default", "degree", "enabled", "formula", "hedge", "points",
     "singletons", "structure",
     "line comment",  # a figure of Table 11
     "FCL336",  # without RANGE, the standard takes that of the data type
+    "FCL342",  # AND and OR that are no pair are both in the tables
 ))
 # fmt: on
 """Kinds of notes that the model says as well, or that are no feature of Tables 8 to 10."""
+
+
+PAIRS = dict(zip(AndOperator, OrOperator, strict=True))
+"""Table 3, and de Morgan's pairs of the Open Level."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,8 +101,8 @@ def _uses(block: FunctionBlock) -> Iterator[Use]:
         if number:
             yield Use(span=rule_block.span, row="rule blocks", words="several rule blocks")
         yield from _of_rule_block(rule_block, block)
-    if block.options:
-        yield Use("OPTIONS", YES, block.span)
+    if block.options and block.span is None:
+        yield Use("OPTIONS", YES)
     for note in block.notes:
         yield from _of_note(note)
 
@@ -186,8 +193,19 @@ def _of_rule_block(rule_block: RuleBlock, block: FunctionBlock) -> Iterator[Use]
         yield Use("ACT", str(rule_block.activation), rule_block.span)
     if concluded - own:
         yield Use("ACCU", str(rule_block.accumulation), rule_block.span)
-    for rule in rule_block.rules:
-        yield from used_in_rule(rule, rule_block, with_terms)
+    uses = [use for rule in rule_block.rules for use in used_in_rule(rule, rule_block, with_terms)]
+    yield from uses
+    yield from _declared(rule_block, {use.key for use in uses})
+
+
+def _declared(rule_block: RuleBlock, used: Container[str]) -> Iterator[Use]:
+    """Yield the operators that the text must name though no rule has them; one names its pair, too (S10)."""
+    chosen_and, chosen_or = rule_block.and_operator, rule_block.or_operator
+    is_pair = PAIRS.get(chosen_and) is chosen_or
+    if "AND" not in used and chosen_and is not AndOperator.MIN and not (is_pair and "OR" in used):
+        yield Use("AND", str(chosen_and), rule_block.span)
+    if "OR" not in used and chosen_or is not OrOperator.MAX and not is_pair:
+        yield Use("OR", str(chosen_or), rule_block.span)
 
 
 def _is_singletons(output: Defuzzification) -> bool:
@@ -201,6 +219,12 @@ def _of_note(note: Note) -> Iterator[Use]:
     if note.code in TOLD_BY_MODEL:
         return
     match note.code:
+        case "norm" | "method":
+            if not _is_own_word(note.feature):
+                row = "norm" if note.code == "norm" else "further method"
+                yield Use(span=note.span, row=row, words=note.feature)
+        case "options":
+            yield Use("OPTIONS", YES, note.span)
         case "shape":
             yield Use("shapes", known(note.feature, SHAPES) or note.feature, note.span)
         case "range":
@@ -209,3 +233,10 @@ def _of_note(note: Note) -> Iterator[Use]:
             yield Use("LOCK", YES, note.span)
         case _:
             yield Use(span=note.span, row="form", words=FEATURES.get(note.code, note.feature))
+
+
+def _is_own_word(feature: str) -> bool:
+    """Return whether an algorithm is written as the model calls it, such as `AND : HPROD`."""
+    key, _, word = (each.strip() for each in feature.partition(":"))
+    element = ELEMENTS.get(key)
+    return isinstance(element, Choice) and known(word, element.rows) is not None

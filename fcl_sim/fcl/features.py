@@ -14,6 +14,7 @@ FEATURES: dict[str, str] = {
     "method": "methods of defuzzification other than those of Table 1",
     "none": "NONE in place of an algorithm",
     "norm": "algorithms other than those of Tables 3, 4 and 5",
+    "options": "additional information for a target",
     "points": "more than four points",
     "range": "ranges of inputs and of declarations",
     "rule block name": "rule blocks whose name is not an identifier",

@@ -63,6 +63,8 @@ def _function_block(
     for each in sections:
         if isinstance(each, Declarations):
             resolve_declarations(scope, each)
+        elif isinstance(each, Options):
+            findings.feature("options", "OPTIONS", each)
     fuzzifications = [resolve_fuzzify(scope, each) for each in sections if isinstance(each, Fuzzify)]
     defuzzifications = [resolve_defuzzify(scope, each) for each in sections if isinstance(each, Defuzzify)]
     written = [each for each in sections if isinstance(each, RuleBlock)]

@@ -144,9 +144,42 @@ def test_a_default_of_zero_is_told_from_others(default, words):
     assert words in words_of(edited(("DEFAULT := 0", f"DEFAULT := {default}")))
 
 
-def test_an_algorithm_that_no_rule_needs_is_not_used():
-    found = edited(("AND: MIN", "AND: PROD"), (CONDITION, "temp IS cold"))
-    assert not any(each.startswith("AND") for each in words_of(found))
+@pytest.mark.parametrize(
+    ("operators", "rule", "expected"),
+    [
+        ("AND: MIN", "temp IS cold", set()),
+        ("AND: PROD", "temp IS cold", {"AND by PROD"}),
+        ("AND: NMIN", "temp IS cold", {"AND by NMIN"}),
+        ("OR: ASUM", "temp IS cold OR level IS low", {"OR by ASUM"}),
+        ("AND: PROD; OR: MAX", "temp IS cold", {"AND by PROD"}),
+        ("AND: PROD; OR: BSUM", "temp IS cold", {"AND by PROD", "OR by BSUM"}),
+    ],
+)
+def test_an_operator_that_no_rule_has_counts_where_the_text_must_name_it(operators, rule, expected):  # S10
+    found = edited(("AND: MIN", operators), (CONDITION, rule))
+    assert {each for each in words_of(found) if each.startswith(("AND", "OR"))} == expected
+
+
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        (("AND: MIN", "AND: NIPMIN"), "AND : NIPMIN"),
+        (("METHOD: CoGS", "METHOD: COGF"), "METHOD : COGF"),
+    ],
+)
+def test_an_algorithm_of_another_name_is_told_as_it_is_written(edit, words):
+    found = edited(edit)
+    assert words in words_of(found)
+    assert level(found) is Level.OPEN
+
+
+def test_options_are_told_where_they_stand():
+    (feature,) = [
+        each
+        for each in features(edited(("FUZZIFY temp", "OPTIONS\n    chip 7\nEND_OPTIONS\nFUZZIFY temp")))
+        if each.row.name == "options"
+    ]
+    assert "chip 7" in feature.places[0].text
 
 
 def test_activation_counts_for_areas_alone():  # Table 4's note

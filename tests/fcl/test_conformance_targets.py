@@ -208,7 +208,7 @@ ACCU.NSUM = "it divides pairwise"
 """
 
 
-@pytest.mark.parametrize("code", ["FCL510", "FCL511", "FCL512", "FCL513"])
+@pytest.mark.parametrize("code", ["FCL510", "FCL511", "FCL512", "FCL513", "FCL516"])
 def test_the_page_of_an_excess_shows_it_and_its_mend(code):
     told, plc = page(code), read_statement(Source("plc.toml", PLC))
     assert [each.code for each in excesses(block(framed(told.bad, told.within)), plc)] == [code]
