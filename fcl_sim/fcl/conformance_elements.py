@@ -108,6 +108,7 @@ ELEMENTS: Mapping[str, Element] = MappingProxyType(
                 "value | NC": "further default",
             },
             "DEFAULT := {}",
+            {"value": "a DEFAULT other than 0"},
         ),
         "RANGE": Switch("range", "RANGE of an output"),
         "VAR": Switch("local", "local variables"),

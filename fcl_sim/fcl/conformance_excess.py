@@ -23,10 +23,10 @@ def excesses(block: FunctionBlock, statement: Statement) -> tuple[Diagnostic, ..
 
     An error where the target lacks something, a warning where it computes
     something else, a note where its statement is silent. The first place is in
-    the rule base, that in the statement is the one with a label.
+    the rule base, in whose order they stand; that in the statement has a label.
     """
     used = features(block)
-    return (
+    found = (
         *_lacking(used, statement),
         *_comments(block, statement),
         *_types(block, statement),
@@ -36,6 +36,12 @@ def excesses(block: FunctionBlock, statement: Statement) -> tuple[Diagnostic, ..
         *_unsaid(used, statement),
         *_remarks(block, statement),
     )
+    return tuple(sorted(found, key=_offset))
+
+
+def _offset(finding: Diagnostic) -> int:
+    first = finding.places[0] if finding.places else Place()
+    return first.span.start if first.span and not first.label else -1
 
 
 def _lacking(used: tuple[Feature, ...], statement: Statement) -> Iterator[Diagnostic]:
@@ -56,7 +62,7 @@ def _there_is(feature: Feature, values: Listed) -> str:
     if not isinstance(element, Choice):
         return ""
     there = [each for each in element.rows if each in values.values]
-    return f"there is {listed(element.said(each) for each in there)}" if there else "there is no other either"
+    return f"the target has {listed(there)}" if there else "the target has none of the kind"
 
 
 def _comments(block: FunctionBlock, statement: Statement) -> Iterator[Diagnostic]:
@@ -81,7 +87,7 @@ def _types(block: FunctionBlock, statement: Statement) -> Iterator[Diagnostic]:
                 code="FCL512",
                 message=f"{statement.name} does not have the data type {name}",
                 places=(*_places(places), _stated(statement.data_types.at)),
-                hint=f"there is {listed(there)}",
+                hint=f"the target has {listed(there)}",
             )
 
 

@@ -138,7 +138,7 @@ def test_what_no_table_of_the_standard_has_is_of_the_open_level(edits, row):  # 
 
 
 @pytest.mark.parametrize(
-    ("default", "words"), [("NC", "DEFAULT := NC"), ("0", "DEFAULT := 0"), ("7", "DEFAULT := value")]
+    ("default", "words"), [("NC", "DEFAULT := NC"), ("0", "DEFAULT := 0"), ("7", "a DEFAULT other than 0")]
 )
 def test_a_default_of_zero_is_told_from_others(default, words):
     assert words in words_of(edited(("DEFAULT := 0", f"DEFAULT := {default}")))

@@ -41,8 +41,8 @@ def test_the_wheel_carries_the_bench_below_the_package_and_nothing_beside_it(whe
     }
     assert {name.split("/")[0].split("-")[0] for name in wheel} == {"fcl_sim"}
     assert "fcl_sim/py.typed" in wheel
-    pages = ROOT / "fcl_sim" / "diagnostics" / "pages"
-    assert {file.relative_to(ROOT).as_posix() for file in pages.iterdir()} <= wheel
+    for data in ("diagnostics/pages/*", "fcl/targets/*.toml"):
+        assert {file.relative_to(ROOT).as_posix() for file in (ROOT / "fcl_sim").glob(data)} <= wheel
 
 
 def test_the_source_distribution_holds_all_that_a_build_and_the_tests_need(tmp_path):
