@@ -197,3 +197,21 @@ def test_features_stand_in_the_order_of_the_tables():
     rows = [each.row for each in features(block(BATH))]
     order = [row for table in TABLES.values() for row in table]
     assert [order.index(row) for row in rows] == sorted(order.index(row) for row in rows)
+
+
+def test_where_each_output_has_its_own_accumulation_that_of_the_rules_is_not_used():  # S8
+    found = edited(("METHOD: CoGS;", "METHOD: CoGS; ACCU: BSUM;"))
+    assert {each for each in words_of(found) if "accumulation" in each} == {"accumulation by BSUM"}
+
+
+@pytest.mark.parametrize(
+    ("setting", "words"),
+    [
+        ("DEFAULT := 3 | NC", "DEFAULT := value | NC"),
+        ("DEFAULT := 3;\n LOCK : PREVIOUS", "a DEFAULT other than 0"),
+    ],
+)
+def test_what_holds_an_output_is_its_default_or_a_lock(setting, words):
+    found = words_of(edited(("DEFAULT := 0", setting)))
+    assert {each for each in found if "DEFAULT" in each} == {words}
+    assert ("LOCK" in found) is ("LOCK" in setting)

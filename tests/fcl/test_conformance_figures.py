@@ -52,6 +52,15 @@ def test_what_a_rule_holds_is_counted(rule, key, number):
     assert FIGURES[key].most(block(with_rule(rule))).number == number
 
 
+@pytest.mark.parametrize(
+    ("shape", "points"),
+    [("(3, 1) (9, 1) (27, 0)", 3), ("GAUSS 3 7", 0), ("SINGLETONS (3, 1) (4, 1)", 2), ("TRIAN 0 3 27", 3)],
+)
+def test_points_are_those_of_the_shape_and_a_smooth_one_has_none(shape, points):
+    found = block(BATH.replace("TERM cold := (3, 1) (27, 0)", f"TERM cold := {shape}"))
+    assert next(iter(FIGURES["points_per_input_term"].counts(found))).number == points
+
+
 def test_the_one_beyond_a_limit_is_where_the_limit_is_passed():
     (count,) = FIGURES["rules"].counts(block(BATH))
     assert [count.beyond(limit).line for limit in (0, 1, 2)] == [26, 27, 27]
