@@ -6,6 +6,7 @@ import sys
 import numba
 import numpy as np
 
+from benchmarks.block import measure_block
 from benchmarks.crane_loop import measure_loop
 from benchmarks.start import measure_start
 
@@ -14,7 +15,7 @@ def main() -> None:
     """Measure and print."""
     versions = f"Python {platform.python_version()}, numpy {np.__version__}, numba {numba.__version__}"
     print(f"{platform.machine()}, {versions}")
-    for line in (*measure_loop(), *measure_start()):
+    for line in (*measure_block(), *measure_loop(), *measure_start()):
         print(line, flush=True)
 
 

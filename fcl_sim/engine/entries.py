@@ -4,7 +4,8 @@ from numpy import float64, int64
 from numpy.typing import NDArray
 
 from fcl_sim.engine.infer import infer
-from fcl_sim.jit import FF, F, I, entry, i8, signature, void
+from fcl_sim.engine.program import DEGREES, OUTPUTS
+from fcl_sim.jit import F, I, entry, i8, signature, u, void
 
 
 @entry(signature(void, I, F, F))
@@ -13,7 +14,7 @@ def evaluate_one(ints: NDArray[int64], floats: NDArray[float64], memory: NDArray
     infer(ints, floats, 0, memory, 0)
 
 
-@entry(signature(void, I, F, F, FF, FF, FF, i8, i8))
+@entry(signature(void, I, F, F, F, F, F, i8, i8))
 def evaluate_many(
     ints: NDArray[int64],
     floats: NDArray[float64],
@@ -24,19 +25,21 @@ def evaluate_many(
     start: int,
     stop: int,
 ) -> None:
-    """Evaluate rows `start` to `stop` of `points` (n, inputs), each without the memory of another.
+    """Evaluate points `start` to `stop`, each without the memory of another.
 
-    `outputs` (n, outputs) holds the previous values, which NC keeps, and takes
-    the new ones; `active` (n, outputs) takes the flags.
+    `points` holds the inputs one after the other, all values of the first, all
+    of the second and so on; `outputs` likewise the previous values, which NC
+    keeps, and takes the new ones; `active` takes the flags.
     """
-    n_in = points.shape[1]
-    n_out = outputs.shape[1]
+    n_out = ints[u(OUTPUTS)]
+    n_in = ints[u(DEGREES)] - 2 * n_out
+    size = outputs.size // max(1, n_out)
     for row in range(start, stop):
         for i in range(n_in):
-            memory[i] = points[row, i]
+            memory[u(i)] = points[u(i * size + row)]
         for i in range(n_out):
-            memory[n_in + i] = outputs[row, i]
+            memory[u(n_in + i)] = outputs[u(i * size + row)]
         infer(ints, floats, 0, memory, 0)
         for i in range(n_out):
-            outputs[row, i] = memory[n_in + i]
-            active[row, i] = memory[n_in + n_out + i]
+            outputs[u(i * size + row)] = memory[u(n_in + i)]
+            active[u(i * size + row)] = memory[u(n_in + n_out + i)]

@@ -81,8 +81,8 @@ def _accumulation(explanation: Explanation) -> Iterator[str]:
     for each in explanation.accumulated:
         algorithm = ", then MAX over the rule blocks" if len(each.algorithms) > 1 else ""
         yield f"  {each.variable} ({' and '.join(each.algorithms) or 'no rule'}{algorithm})"
-        width = max((len(degree.term) for degree in each.degrees), default=0)
-        yield from (f"    {degree.term:{width}}  {number(degree.degree)}" for degree in each.degrees)
+        width = max((len(degree.term) + 2 for degree in each.degrees if degree.term), default=0)
+        yield from (f"    {degree.term:{width}}{number(degree.degree)}" for degree in each.degrees)
         for row in range(0, len(each.area), VERTICES_IN_A_ROW):
             vertices = each.area[row : row + VERTICES_IN_A_ROW]
             yield "    " + " ".join(f"({number(x)}, {number(degree)})" for x, degree in vertices)

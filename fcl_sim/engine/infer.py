@@ -249,16 +249,14 @@ def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) ->
         if ints[u(output + OUT_KIND)] == BY_COGS:
             degrees = base + ints[u(output + OUT_DEGREES)]
             moment, weight = moments_of_singletons(floats, places, memory, degrees, terms)
-            value = moment / weight if weight != 0.0 else 0.0
+            value = moment / (weight if weight != 0.0 else 1.0)
         else:
             value, weight = settle(ints, floats, at, output, memory, base)
-        if weight == 0.0:
-            memory[u(base + ints[u(output + OUT_ACTIVE)])] = 0.0
-            if ints[u(output + OUT_KEEP)] == 0:
-                memory[u(base + ints[u(output + OUT_VALUE)])] = floats[u(places + terms)]
-        else:
-            memory[u(base + ints[u(output + OUT_ACTIVE)])] = 1.0
-            memory[u(base + ints[u(output + OUT_VALUE)])] = value
+        # Chosen, not branched on: whether a rule is active is what a processor cannot foresee.
+        target = base + ints[u(output + OUT_VALUE)]
+        fallback = memory[u(target)] if ints[u(output + OUT_KEEP)] != 0 else floats[u(places + terms)]
+        memory[u(base + ints[u(output + OUT_ACTIVE)])] = 1.0 if weight != 0.0 else 0.0
+        memory[u(target)] = value if weight != 0.0 else fallback
         output += OUTPUT_SIZE
 
 

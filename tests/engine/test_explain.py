@@ -1,3 +1,6 @@
+import json
+from dataclasses import replace
+
 import pytest
 
 from fcl_sim.engine.assemble import assemble
@@ -5,7 +8,19 @@ from fcl_sim.engine.explain import Origin
 from fcl_sim.engine.explain_text import explanation_text
 from fcl_sim.engine.instance import Instance
 from fcl_sim.engine.words import condition_text
-from fcl_sim.model import Accumulation, And, AndOperator, Degree, Is, Not, Or, RuleBlock, Variable
+from fcl_sim.model import (
+    Accumulation,
+    Activation,
+    And,
+    AndOperator,
+    Degree,
+    Is,
+    Method,
+    Not,
+    Or,
+    RuleBlock,
+    Variable,
+)
 from tests.engine.bases import block, every, output, points, rule, singleton
 
 BASE = block(
@@ -119,3 +134,105 @@ X, Y, Z = Is("x", "a"), Is("y", "b"), Degree("z")
 )
 def test_a_condition_has_the_parentheses_that_its_priorities_need(condition, text):
     assert condition_text(condition) == text
+
+
+AREAS = block(
+    {"x": (points("low", (0, 1), (1, 0)), points("high", (2, 0), (3, 1)))},
+    (
+        output(
+            "y",
+            points("left", (0, 0), (1, 1), (2, 0)),
+            points("right", (1, 0), (2, 1), (3, 0)),
+            method=Method.COG,
+        ),
+        output("z", points("box", (4, 0), (4, 1), (5, 1), (5, 0)), method=Method.RM, default=None),
+    ),
+    RuleBlock(
+        name="first",
+        rules=(
+            rule("1", every(("x", "low")), ("y", "left"), ("z", "box", 0.5)),
+            rule("2", Degree("d"), ("y", "right", 0.5), ("l", None)),
+            rule("3", And((Degree("l"), Is("y", "left"))), ("q", None)),
+        ),
+    ),
+    RuleBlock(
+        name="second",
+        activation=Activation.PROD,
+        accumulation=Accumulation.NSUM,
+        rules=(rule("1", every(("x", "high")), ("z", "box")),),
+    ),
+    more_inputs=(Variable("d"),),
+)
+AREAS = replace(AREAS, outputs=(*AREAS.outputs, Variable("q")))
+
+EXPLAINED_AREAS = """\
+Aggregation
+  RULE first.1   0.75
+                 IF x IS low
+  RULE first.2   0.5
+                 IF d
+  RULE first.3   MIN(0.5, 0.75) = 0.5
+                 IF l AND y IS left
+  RULE second.1  0
+                 IF x IS high
+
+Activation
+  RULE first.1  y IS left: MIN(0.75, μ)
+  RULE first.1  z IS box: 0.5 · MIN(0.75, μ)
+  RULE first.2  y IS right: 0.5 · MIN(0.5, μ)
+  RULE first.2  l: 0.5
+  RULE first.3  q: 0.5
+  not fired: second.1
+
+Accumulation
+  y (MAX)
+    (0, 0) (0.75, 0.75) (1.25, 0.75) (1.75, 0.25) (2.5, 0.25) (3, 0)
+  z (MAX and NSUM, then MAX over the rule blocks)
+    (4, 0) (4, 0.375) (5, 0.375) (5, 0)
+  l (MAX)
+    0.5
+  q (MAX)
+    0.5
+
+Defuzzification
+  y = 1.25  (CoG: centre of gravity)
+  z = 5  (RM: rightmost maximum)
+  q = 0.5  (degree given out)"""
+
+
+def test_areas_are_told_by_their_corners_and_degrees_by_what_asks_for_them():
+    explanation = Instance(AREAS, assemble(AREAS)).explain(x=0.25, d=0.5)
+    assert explanation_text(explanation).split("\n\n", 2)[2] == EXPLAINED_AREAS
+
+
+def test_an_area_without_width_is_told():
+    spike = block(
+        {},
+        (output("y", points("s", (1, 0), (1, 1), (1, 0)), default=-2.0, method=Method.LM),),
+        RuleBlock(name="r", rules=(rule("1", Degree("d"), ("y", "s")),)),
+        more_inputs=(Variable("d"),),
+    )
+    spike = replace(spike, defuzzifications=(replace(spike.defuzzifications[0], range=(0.0, 2.0)),))
+    told = explanation_text(Instance(spike, assemble(spike)).explain(d=0.5))
+    assert told.endswith("Defuzzification\n  y = -2: the accumulated area is 0, DEFAULT")
+
+
+def test_an_explanation_is_a_json_object():
+    document = json.loads(Instance(AREAS, assemble(AREAS)).explain(x=0.25, d=0.5).to_json())
+    assert document["activated"][1] == {
+        "rule": "first.1",
+        "variable": "z",
+        "term": "box",
+        "activated": 0.75,
+        "weight": 0.5,
+        "degree": 0.375,
+        "algorithm": "MIN",
+    }
+    assert document["accumulated"][0]["area"][1] == [0.75, 0.75]
+    assert document["defuzzified"][2] == {
+        "variable": "q",
+        "method": "",
+        "places": [],
+        "origin": "rules",
+        "value": 0.5,
+    }

@@ -1,0 +1,123 @@
+/* Fuzzy blocks by hand: the yardstick of `make bench`.
+
+   The container crane of Annex C with singletons (CoGS) and with triangles
+   (MIN, MAX, exact CoG within -36 .. 36), and a table of 49 rules. Everything
+   is known to the compiler. The chains feed each result into the next inputs,
+   as a loop does, so that calls cannot overlap. */
+#include <math.h>
+#include <stddef.h>
+
+static inline double least(double a, double b) { return a < b ? a : b; }
+static inline double most(double a, double b) { return a > b ? a : b; }
+static inline double ramp(double x, double from, double rate) { return most(0, least(1, (x - from) * rate)); }
+static inline double triangle(double x, double a, double b, double c)
+{
+    return most(0, least((x - a) * (1 / (b - a)), (c - x) * (1 / (c - b))));
+}
+
+typedef struct { double negative, zero, positive, high; } degrees;
+
+static inline degrees rules(double distance, double angle)
+{
+    double far = ramp(distance, 10, 1.0 / 12), medium = triangle(distance, 5, 10, 22);
+    double close = triangle(distance, 0, 5, 10), here = triangle(distance, -5, 0, 5);
+    double neg_big = ramp(-angle, 5, 1.0 / 45), neg_small = triangle(angle, -50, -5, 0);
+    double upright = triangle(angle, -5, 0, 5), pos_small = triangle(angle, 0, 5, 50);
+    return (degrees){
+        .negative = least(medium, neg_small),
+        .zero = least(here, upright),
+        .positive = most(least(far, upright), most(least(far, neg_big), least(close, pos_small))),
+        .high = least(far, neg_small),
+    };
+}
+
+static inline double cogs(double distance, double angle)
+{
+    degrees d = rules(distance, angle);
+    double sum = d.negative + d.zero + d.positive + d.high;
+    return sum > 0 ? (9 * d.positive + 27 * d.high - 9 * d.negative) / sum : 0;
+}
+
+/* All places where the upper envelope of the clipped triangles can have a corner, sorted; between them
+   it is straight. */
+enum { HALF = 18, LIMIT = 36 };
+
+static double cog(double distance, double angle)
+{
+    degrees d = rules(distance, angle);
+    const double centres[4] = { -9, 0, 9, 27 }, all[4] = { d.negative, d.zero, d.positive, d.high };
+    double centre[4], height[4], corners[48];
+    int terms = 0, n = 0;
+    for (int i = 0; i < 4; i++)
+        if (all[i] > 0) { centre[terms] = centres[i]; height[terms++] = all[i]; }
+    if (terms == 0) return 0;
+    corners[n++] = -LIMIT;
+    corners[n++] = LIMIT;
+    for (int i = 0; i < terms; i++) {
+        double c = centre[i], flat = HALF * (1 - height[i]);
+        const double own[4] = { c - HALF, c - flat, c + flat, c + HALF };
+        for (int k = 0; k < 4; k++) if (fabs(own[k]) < LIMIT) corners[n++] = own[k];
+        for (int j = 0; j < i; j++) {
+            const double met[3] = { 0.5 * (centre[j] + c), centre[j] + flat, c - HALF * (1 - height[j]) };
+            for (int k = 0; k < 3; k++) if (fabs(met[k]) < LIMIT) corners[n++] = met[k];
+        }
+    }
+    for (int i = 1; i < n; i++) {
+        double x = corners[i];
+        int j = i;
+        for (; j > 0 && corners[j - 1] > x; j--) corners[j] = corners[j - 1];
+        corners[j] = x;
+    }
+    double area = 0, moment = 0, left = 0, before = 0;
+    for (int i = 0; i < n; i++) {
+        double x = corners[i], degree = 0;
+        for (int k = 0; k < terms; k++)
+            degree = most(degree, least(height[k], 1 - fabs(x - centre[k]) * (1.0 / HALF)));
+        if (i > 0) {
+            double width = x - left;
+            area += width * (before + degree);
+            moment += width * (left * (2 * before + degree) + x * (before + 2 * degree));
+        }
+        left = x;
+        before = degree;
+    }
+    return area > 0 ? moment / (3 * area) : 0;
+}
+
+/* Seven triangles on -3 .. 3 for each input, shoulders at the ends; every rule is evaluated. */
+static inline void seven(double x, double *degree)
+{
+    x = most(-3, least(3, x));
+    for (int i = 0; i < 7; i++) degree[i] = most(0, 1 - fabs(x - (i - 3)));
+}
+
+static inline double table(double a, double b)
+{
+    double of_a[7], of_b[7], out[7] = { 0 }, sum = 0, moment = 0;
+    seven(a, of_a);
+    seven(b, of_b);
+    for (int i = 0; i < 7; i++)
+        for (int j = 0; j < 7; j++) {
+            int k = i + j < 3 ? 0 : i + j > 9 ? 6 : i + j - 3;
+            out[k] = most(out[k], least(of_a[i], of_b[j]));
+        }
+    for (int k = 0; k < 7; k++) { sum += out[k]; moment += out[k] * (k - 3); }
+    return sum > 0 ? moment / sum : 0;
+}
+
+#define BLOCK(name)                                                                                      \
+    double name##_one(double a, double b) { return name(a, b); }                                         \
+    void name##_batch(const double *restrict a, const double *restrict b, double *restrict y, size_t n)  \
+    {                                                                                                    \
+        for (size_t i = 0; i < n; i++) y[i] = name(a[i], b[i]);                                          \
+    }                                                                                                    \
+    double name##_chain(const double *a, const double *b, size_t n)                                      \
+    {                                                                                                    \
+        double y = 0;                                                                                    \
+        for (size_t i = 0; i < n; i++) y = name(a[i] + 1e-12 * y, b[i] - 1e-12 * y);                     \
+        return y;                                                                                        \
+    }
+
+BLOCK(cogs)
+BLOCK(cog)
+BLOCK(table)
