@@ -1,5 +1,7 @@
 """VAR_INPUT, VAR_OUTPUT and VAR (5.2.1; IEC 61131-3 B.1.4.3)."""
 
+from dataclasses import replace
+
 from fcl_sim.fcl.cursor import Astray, Cursor
 from fcl_sim.fcl.keywords import ENDS, SECTIONS
 from fcl_sim.fcl.parse_settings import limits
@@ -29,6 +31,7 @@ def declarations(cursor: Cursor) -> Declarations:
         )
     _qualifier(cursor)
     variables: list[Declaration] = []
+    last = 0
     damaged = False
     while _is_declared(cursor) or not closes(cursor, opening, "END_VAR"):
         if cursor.take(";"):
@@ -36,8 +39,9 @@ def declarations(cursor: Cursor) -> Declarations:
         before = cursor.token
         try:
             if _at_range(cursor):
-                variables = _ranged(variables, _later_range(cursor, variables))
+                _later_range(cursor, variables, last)
             else:
+                last = len(variables)
                 variables += declaration(cursor)
         except Astray:
             damaged = True
@@ -62,29 +66,27 @@ def _at_range(cursor: Cursor) -> bool:
     return cursor.token.key == "RANGE" and cursor.ahead().key in _RANGES
 
 
-def _later_range(cursor: Cursor, variables: list[Declaration]) -> Range:
-    """Read a range that stands behind the semicolon of its declaration, as jFuzzyLogic has it."""
+def _later_range(cursor: Cursor, variables: list[Declaration], last: int) -> None:
+    """Read a range that stands behind the semicolon of its declaration, as jFuzzyLogic has it.
+
+    It belongs to the variables from `last` on.
+    """
     keyword = cursor.advance()
-    if not variables:
+    if last == len(variables):
         raise cursor.refuse("FCL204", "RANGE stands behind the declaration that it belongs to", keyword)
+    if variables[last].range is not None:
+        raise cursor.refuse("FCL333", "RANGE is given twice", keyword)
     found = limits(cursor)
     cursor.end_statement(begins=_is_declared(cursor))
-    return found
+    variables[last:] = [replace(each, range=found) for each in variables[last:]]
 
 
-def _ranged(variables: list[Declaration], found: Range) -> list[Declaration]:
-    """Return the declarations with a range for all names of the last one."""
-    kind = variables[-1].type
-    last = next((i for i, each in reversed(list(enumerate(variables))) if each.type is not kind), -1) + 1
-    kept, named = variables[:last], variables[last:]
-    return [*kept, *(Declaration(each.name, each.type, each.initial, found) for each in named)]
-
-
-def declaration(cursor: Cursor) -> list[Declaration]:
+def declaration(cursor: Cursor, *, member: bool = False) -> list[Declaration]:
     """Read `declaration ::= name {',' name} ':' type [range] [':=' constant] [range] ';'`.
 
     `type ::= data_type | structure`; `range ::= ['RANGE' [':=']] '(' limit '..' limit ')'` is Open Level,
-    and so is a range as a statement of its own behind the declaration.
+    and so is a range as a statement of its own behind the declaration. A `member` of a structure is no
+    structure.
     """
     names = [cursor.name("the name of a variable", _AFTER_NAME, begins=True)]
     while cursor.take(","):
@@ -96,7 +98,7 @@ def declaration(cursor: Cursor) -> list[Declaration]:
         cursor.expect(":", "the name of the variable", instead=(":=", "="))
         if _is_declared(cursor):
             raise cursor.stray("a data type is expected", code="FCL209")
-        type_name = structure(cursor) if cursor.token.key == "STRUCT" else cursor.name("a data type")
+        type_name = _type(cursor, member=member)
         if cursor.token.key == "(":
             found = limits(cursor)
         if cursor.token.key in {":=", ":", "="}:
@@ -109,6 +111,21 @@ def declaration(cursor: Cursor) -> list[Declaration]:
     except Astray:
         _skip(cursor)
     return [Declaration(name, type_name, initial, found) for name in names]
+
+
+def _type(cursor: Cursor, *, member: bool) -> Token | Structure:
+    if cursor.token.key != "STRUCT":
+        return cursor.name("a data type")
+    if not member:
+        return structure(cursor)
+    keyword = cursor.token
+    depth = 0
+    while not (cursor.token.kind is Kind.END or cursor.token.key in _NO_MEMBER):
+        depth += {"STRUCT": 1, "END_STRUCT": -1}.get(cursor.advance().key, 0)
+        if depth == 0:
+            break
+    hint = "members of structures are numbers"
+    raise cursor.refuse("FCL305", "a structure stands within a structure", keyword, hint)
 
 
 def structure(cursor: Cursor, name: Token | None = None) -> Structure:
@@ -127,7 +144,7 @@ def structure(cursor: Cursor, name: Token | None = None) -> Structure:
             continue
         before = cursor.token
         try:
-            members += declaration(cursor)
+            members += declaration(cursor, member=True)
         except Astray:
             cursor.leave(before)
             _skip(cursor)

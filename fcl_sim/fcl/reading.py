@@ -1,9 +1,11 @@
 """Text → model, all stages in one go."""
 
+import gc
 import re
 import sys
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import PurePath
 
@@ -60,9 +62,30 @@ def read(text: str, name: str = "<text>") -> Reading:
     foreign = _FFLL.search(text)
     if foreign is not None:
         return Reading((), (_refuse_ffll(source, foreign),))
+    with _uncollected():
+        return _read(source)
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Keep the collector of garbage away from what is being read.
+
+    Reading makes many objects and drops few: to walk them again and again would
+    make the time grow faster than the text.
+    """
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
+
+
+def _read(source: Source) -> Reading:
     scanned = scan(source)
     parsed = parse(scanned)
-    resolved = resolve(parsed.tree, PurePath(name).stem if name != "<text>" else UNNAMED)
+    resolved = resolve(parsed.tree, PurePath(source.name).stem if source.name != "<text>" else UNNAMED)
     characters = _outside(scanned.diagnostics, parsed.tree.verbatim)
     diagnostics = in_order((*characters, *parsed.diagnostics, *resolved.diagnostics))
     faulty = any(each.severity is Severity.ERROR for each in diagnostics)

@@ -56,12 +56,11 @@ def structure_type(scope: Scope, structure: Structure, name: Token) -> ModelStru
 
 
 def data_type(scope: Scope, token: Token | Structure | None) -> DataType:
-    """Return the data type of a number that is named; REAL, once reported, where there is no such one."""
-    if token is None:
-        return DataType.REAL
-    if isinstance(token, Structure):
-        hint = "members are numbers"
-        scope.findings.error("FCL305", "a structure stands within a structure", token.keyword, hint)
+    """Return the data type of a number that is named; REAL, once reported, where there is no such one.
+
+    What is no name here has been reported by the parser.
+    """
+    if not isinstance(token, Token):
         return DataType.REAL
     if token.key in {each.value for each in DataType}:
         return DataType(token.key)
