@@ -191,7 +191,10 @@ def conclude(
     """Weight and accumulate the conclusions of a rule that fires with `degree`."""
     then = rule + RULE_BODY + ints[u(rule + RULE_LENGTH)]
     for _ in range(ints[u(rule + RULE_THEN)]):
-        weighted = sourced(ints[u(then + THEN_WEIGHT)], floats, origin, memory, base) * degree
+        source = ints[u(then + THEN_WEIGHT)]
+        weighted = degree
+        if source != 0:
+            weighted = sourced(source, floats, origin, memory, base) * degree
         target = base + ints[u(then + THEN_DEGREE)]
         if ints[u(then + THEN_SUM)] == 0:
             memory[u(target)] = maximum(memory[u(target)], weighted)
