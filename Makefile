@@ -4,6 +4,7 @@
 
 PYTHON ?= python3
 WORKERS ?= 2
+SECONDS ?= 3600
 
 venv := .venv
 python := $(venv)/bin/python
@@ -13,10 +14,11 @@ compile := build/lock/bin/uv pip compile --quiet --no-config --universal --pytho
   --generate-hashes --custom-compile-command 'make lock' $(UPGRADE)
 run_stamp := $(venv)/run.stamp
 test_stamp := $(venv)/test.stamp
+fuzz_stamp := $(venv)/fuzz.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench docs images lock clean
+.PHONY: help run test lint smoke bench docs fuzz images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -54,6 +56,9 @@ bench: $(test_stamp) ## measure the speed, against C
 docs: $(run_stamp) ## write the pages of docs/ that are generated
 	@$(python) -m docs
 
+fuzz: $(fuzz_stamp) ## look for texts that break the FCL reader, for SECONDS=3600
+	@$(python) tests/fuzz/fuzz_fcl.py $(SECONDS) build/fuzz
+
 images: $(run_stamp) ## draw the README's picture anew
 	@$(python) -m fcl_sim run scenarios/crane/transfer.toml --reports build/images
 	@mkdir -p docs/images && cp build/images/crane/transfer/all-runs.png docs/images/crane.png
@@ -63,6 +68,7 @@ lock: ## write the locks from pyproject.toml; with UPGRADE=--upgrade take the ne
 	@build/lock/bin/python -m pip install --quiet --disable-pip-version-check uv
 	@$(compile) --group build --group test --group lint --output-file requirements.lock pyproject.toml
 	@$(compile) --group build --constraint requirements.lock --output-file requirements-run.lock pyproject.toml
+	@$(compile) --group fuzz --output-file requirements-fuzz.lock
 
 clean: ## remove what was installed and written
 	rm -rf $(venv) build dist .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
@@ -77,6 +83,10 @@ $(run_stamp): requirements-run.lock pyproject.toml hatch_build.py
 	@$(PYTHON) -m venv --clear $(venv)
 	@$(install) --require-hashes --requirement requirements-run.lock
 	@$(install) --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(fuzz_stamp): $(run_stamp) requirements-fuzz.lock
+	@$(install) --require-hashes --requirement requirements-fuzz.lock
 	@touch $@
 
 $(test_stamp): $(run_stamp) requirements.lock
