@@ -13,7 +13,8 @@ from fcl_sim.fcl.keywords import ENDS, SECTIONS, STRUCTURAL
 TEXTS = [file.read_text("utf-8") for file in sorted(Path(__file__).parent.rglob("*.fcl"))]
 WORDS = [
     *sorted(ENDS | SECTIONS | STRUCTURAL),
-    *"METHOD DEFAULT RANGE ACCU STRUCT TYPE FUNCTION very any nan inf := .. ;; . ^ # // (* *) 1e999".split(),
+    *("METHOD", "DEFAULT", "RANGE", "ACCU", "STRUCT", "TYPE", "FUNCTION", "very", "any", "nan", "inf"),
+    *(":=", "..", ";;", ".", "^", "#", "//", "(*", "*)", "1e999", "16#", "REAL#1"),
     *("LOCK : PREVIOUS", "ENABLED : TRUE", "TRIAN 0 1 2", "Linear 1 2", "- -", "(" * 60, "NOT " * 60),
     *("\n%", "\0", "\r", "é", "\u202e"),
 ]
