@@ -18,7 +18,7 @@ fuzz_stamp := $(venv)/fuzz.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench docs fuzz images lock clean
+.PHONY: help run test lint smoke bench prove docs fuzz images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -52,6 +52,9 @@ smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench fro
 
 bench: $(test_stamp) ## measure the speed, against C
 	@$(python) -m benchmarks
+
+prove: $(test_stamp) ## compare BASES=100000 random rule bases with the oracle (an hour)
+	@$(python) -m tests.engine.prove $(BASES)
 
 docs: $(run_stamp) ## write the pages of docs/ that are generated
 	@$(python) -m docs

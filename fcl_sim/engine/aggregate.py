@@ -3,11 +3,13 @@
 from numpy import float64, int64
 from numpy.typing import NDArray
 
+from fcl_sim.arithmetic.hedges import hedged
 from fcl_sim.arithmetic.operators import minimum
 from fcl_sim.arithmetic.pairs import conjunction
 from fcl_sim.engine.program import (
     ALL_MIN,
     ALL_PROD,
+    AND_MIN,
     GROUP_MAX,
     GROUP_NSUM,
     LOOK,
@@ -17,6 +19,7 @@ from fcl_sim.engine.program import (
     LOOK_TERM,
     LOOK_TERMS,
     NOT,
+    ONE,
     OR_MAX,
     RULE_BODY,
     RULE_KIND,
@@ -75,11 +78,19 @@ def calculate(ints: Ints, at: int, code: int, end: int, memory: Floats, base: in
             degree = memory[u(top)]
             memory[u(top)] = memory[u(top + 1)]
             memory[u(top + 1)] = degree
+        elif word == ONE:
+            top += 2
+            memory[u(top)] = 1.0
+            memory[u(top + 1)] = 0.0
+        elif word < ONE:
+            degree, complement = hedged(word, memory[u(top)], memory[u(top + 1)])
+            memory[u(top)] = degree
+            memory[u(top + 1)] = complement
         else:
             top -= 2
             swapped = int(word <= OR_MAX)  # OR is AND of the complements, by de Morgan's law
             degree, complement = conjunction(
-                word + 3 * swapped,
+                word + (AND_MIN - OR_MAX) * swapped,
                 memory[u(top + swapped)],
                 memory[u(top + 1 - swapped)],
                 memory[u(top + 2 + swapped)],

@@ -32,12 +32,13 @@ def assemble(block: FunctionBlock) -> Program:
     buffers = Buffers()
     stack = 2 * max((depth(code.tokens) for code in codes), default=0)
     outputs, areas, size = put_outputs(buffers, block, own, own.stack + stack)
-    clear = own.degrees if own.words == 1 else own.degrees + own.rules
+    summary = summary_words(own.words)
+    clear = own.degrees if summary == 0 else own.degrees + own.rules
     cleared = -(-(own.clamps + 1 - clear) // 4) * 4
     header = {
         p.RULES: len(codes),
         p.WORDS: own.words,
-        p.SUMMARY: summary_words(own.words),
+        p.SUMMARY: summary,
         p.ALL: buffers.put(words_of(every(codes), own.words)),
         p.GRIDS: len(own.functions),
         p.GRID: _grids(buffers, own, codes),

@@ -13,12 +13,20 @@ from fractions import Fraction
 
 from fcl_sim.diagnostics import Span
 from fcl_sim.engine import program as p
-from fcl_sim.model import And, AndOperator, Condition, Degree, Is, Not, Or, OrOperator, RuleBlock
+from fcl_sim.model import And, AndOperator, Condition, Degree, Hedge, Is, Not, Or, OrOperator, RuleBlock
 
 Bounds = tuple[Fraction, Fraction]
 
 AND_CODE = {AndOperator.MIN: p.AND_MIN, AndOperator.PROD: p.AND_PROD, AndOperator.BDIF: p.AND_BDIF}
 OR_CODE = {OrOperator.MAX: p.OR_MAX, OrOperator.ASUM: p.OR_ASUM, OrOperator.BSUM: p.OR_BSUM}
+HEDGE_CODE = {
+    Hedge.VERY: p.VERY,
+    Hedge.EXTREMELY: p.EXTREMELY,
+    Hedge.SOMEWHAT: p.SOMEWHAT,
+    Hedge.SELDOM: p.SELDOM,
+    Hedge.NOT: p.NOT,
+    Hedge.ANY: p.ONE,
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +61,7 @@ class Look:
 
 
 Token = Push | Look | int
-"""A word of postfix code; an int is an operator."""
+"""A word of postfix code; an int is an operator, a hedge or ONE."""
 
 
 def leaves(condition: Condition) -> Iterator[Leaf]:
@@ -61,6 +69,9 @@ def leaves(condition: Condition) -> Iterator[Leaf]:
     leaf = _leaf(condition)
     if leaf is not None:
         yield leaf
+    elif isinstance(condition, Is):
+        if Hedge.ANY not in condition.hedges:
+            yield _bare(condition)
     elif isinstance(condition, Not):
         yield from leaves(condition.argument)
     elif isinstance(condition, And | Or):
@@ -99,6 +110,8 @@ def postfix(
     leaf = _leaf(condition)
     if leaf is not None:
         return push(leaf)
+    if isinstance(condition, Is):
+        return _hedged(condition, push)
     if isinstance(condition, Not):
         return [*postfix(condition.argument, and_code, or_code, push), p.NOT]
     if not isinstance(condition, And | Or):
@@ -114,7 +127,7 @@ def depth(code: Sequence[Token]) -> int:
     """Return how many degrees the stack must hold for a postfix code."""
     deepest = level = 0
     for token in code:
-        level += 1 if not isinstance(token, int) else 0 if token == p.NOT else -1
+        level += 1 if not isinstance(token, int) or token == p.ONE else 0 if token in UNARY else -1
         deepest = max(deepest, level)
     return deepest
 
@@ -122,15 +135,16 @@ def depth(code: Sequence[Token]) -> int:
 def bounds(code: Sequence[Token], bounds_of: Callable[[Token], Bounds]) -> Bounds:
     """Return bounds of the degree of a postfix code, from bounds of what it pushes.
 
-    Every operator of Table 3 rises with both arguments.
+    Every operator rises with both arguments, and every hedge but NOT with its one.
     """
     stack: list[Bounds] = []
     for token in code:
         if not isinstance(token, int):
             stack.append(bounds_of(token))
-        elif token == p.NOT:
-            low, high = stack.pop()
-            stack.append((1 - high, 1 - low))
+        elif token == p.ONE:
+            stack.append((Fraction(1), Fraction(1)))
+        elif token in UNARY:
+            stack.append(UNARY[token](*stack.pop()))
         else:
             b, a = stack.pop(), stack.pop()
             operator = OPERATORS[token]
@@ -149,14 +163,43 @@ OPERATORS: dict[int, Callable[[Fraction, Fraction], Fraction]] = {
 """The operators on exact bounds, by their code."""
 
 
+def _positive(low: Fraction, high: Fraction) -> Bounds:
+    """Return bounds after a hedge that leaves 0 and 1, and nothing else, where they are."""
+    return Fraction(int(low == 1)), Fraction(int(high > 0))
+
+
+UNARY: dict[int, Callable[[Fraction, Fraction], Bounds]] = {
+    p.NOT: lambda low, high: (1 - high, 1 - low),
+    p.VERY: _positive,
+    p.EXTREMELY: _positive,
+    p.SOMEWHAT: _positive,
+    p.SELDOM: _positive,
+}
+"""NOT and the hedges on bounds, which need no more than tell whether a degree can leave 0 or 1."""
+
+
 def _leaf(condition: Condition) -> Leaf | None:
     """Return the leaf that a condition is, if it is one; NOT NOT x is x."""
     negated = False
     while isinstance(condition, Not):
         negated = not negated
         condition = condition.argument
-    if isinstance(condition, Is):
+    if isinstance(condition, Is) and not condition.hedges:
         return Leaf(condition.variable.casefold(), condition.term.casefold(), negated, condition.span)
     if isinstance(condition, Degree):
         return Leaf(condition.variable.casefold(), None, negated, condition.span)
     return None
+
+
+def _bare(condition: Is) -> Leaf:
+    """Return the leaf that hedges stand before."""
+    return Leaf(condition.variable.casefold(), condition.term.casefold(), span=condition.span)
+
+
+def _hedged(condition: Is, push: Callable[[Leaf], list[Token]]) -> list[Token]:
+    """Return a subcondition with hedges, the last one first; before ANY, nothing counts."""
+    hedges = condition.hedges
+    if Hedge.ANY in hedges:
+        hedges = hedges[: hedges.index(Hedge.ANY) + 1]
+        return [HEDGE_CODE[hedge] for hedge in reversed(hedges)]
+    return [*push(_bare(condition)), *(HEDGE_CODE[hedge] for hedge in reversed(hedges))]

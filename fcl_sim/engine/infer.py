@@ -82,7 +82,7 @@ Floats = NDArray[float64]
 @inlined
 def clear(ints: Ints, at: int, memory: Floats, base: int) -> None:
     """Set all degrees to 0."""
-    if ints[u(at + WORDS)] > 1:
+    if ints[u(at + SUMMARY)] > 0:
         clear_visited(ints, at, memory, base)
     start = base + ints[u(at + CLEAR)]
     for word in range(start, start + ints[u(at + CLEARED)], 4):
@@ -142,7 +142,7 @@ def joined_word(ints: Ints, at: int, memory: Floats, base: int, word: int) -> in
 
 @flat
 def next_word(ints: Ints, at: int, memory: Floats, base: int, word: int) -> int:
-    """Return the next word of the mask, from `word` on, with its bit in the summary; -1 after the last."""
+    """Return the next word of the mask, from `word` on, with its bit in the summary; WORDS after the last."""
     part = word // MASK_BITS
     passed = word % MASK_BITS
     while part < ints[u(at + SUMMARY)]:
@@ -155,7 +155,7 @@ def next_word(ints: Ints, at: int, memory: Floats, base: int, word: int) -> int:
             return found
         part += 1
         passed = 0
-    return -1
+    return int(ints[u(at + WORDS)])
 
 
 @inlined
@@ -277,14 +277,14 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
         bring(ints, at, memory, base)
     if ints[u(at + MOVED)] > 0:
         fuzzify_moved(ints, floats, at, memory, base)
+    words = ints[u(at + WORDS)]
     summary = ints[u(at + SUMMARY)]
-    word = 0
-    while word >= 0:
-        if summary > 0:
-            word = next_word(ints, at, memory, base, word)
-            if word < 0:
-                break
+    word = 0 if summary == 0 else next_word(ints, at, memory, base, 0)
+    while word < words:
+        if words > 1:
             mask = joined_word(ints, at, memory, base, summary + word)
         visit(ints, floats, at, mask, word, memory, base)
-        word = word + 1 if summary > 0 else -1
+        word += 1
+        if summary > 0:
+            word = next_word(ints, at, memory, base, word)
     defuzzify(ints, floats, at, memory, base)

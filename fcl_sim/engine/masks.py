@@ -13,6 +13,8 @@ from fcl_sim.engine.grid import Cell
 from fcl_sim.engine.program import MASK_BITS
 
 WORD = (1 << MASK_BITS) - 1
+FEW_WORDS = 8
+"""Up to this many words of a mask are all looked at: a summary would cost more."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,17 +32,15 @@ def every(codes: Sequence[Code]) -> int:
 
 
 def words_of(rules: int, count: int) -> list[int]:
-    """Return a rule set as `count` words, behind their summary where there are several (program.py)."""
+    """Return a rule set as `count` words, behind their summary where there are many (program.py)."""
     words = [rules >> (MASK_BITS * word) & WORD for word in range(count)]
-    if count == 1:
-        return words
     used = sum(1 << number for number, word in enumerate(words) if word)
     return [*(used >> (MASK_BITS * word) & WORD for word in range(summary_words(count))), *words]
 
 
 def summary_words(count: int) -> int:
     """Return how many words the summary of a mask of `count` words has."""
-    return 0 if count == 1 else -(-count // MASK_BITS)
+    return 0 if count <= FEW_WORDS else -(-count // MASK_BITS)
 
 
 def fireable(codes: Sequence[Code], slots: Sequence[int], cells: Sequence[Cell]) -> list[int]:

@@ -13,7 +13,7 @@ Header (i):
     FLOATS        where the program's floats begin in the float buffer
     RULES         number of rules
     WORDS         words of a rule mask: bit r % 32 of word r // 32 stands for rule r
-    SUMMARY       words of its summary, in which bit w stands for word w of the mask; none for one word
+    SUMMARY       words of its summary, in which bit w stands for word w of the mask; none for few words
     ALL           (i) mask of all rules: SUMMARY words, WORDS words
     GRIDS         number of inputs with a grid
     GRID          (i) their records, GRID_SIZE words each
@@ -29,7 +29,7 @@ Header (i):
     CLEAR         (m) where clearing begins before each evaluation
     CLEARED       number of words to clear, a multiple of 4
     CLAMPS        (m) how many variables brought in lay outside [0, 1]
-    VISITED       (m) with WORDS > 1: how many words of the mask were visited, and which
+    VISITED       (m) with SUMMARY > 0: how many words of the mask were visited, and which
     ROWS          (m) with WORDS > 1: where each grid's current mask begins (i, from the buffer's first word)
     STACK         (m) stack of the postfix code
 
@@ -61,7 +61,8 @@ Rule record (i), of varying length:
     RULE_THEN     number of conclusions
     RULE_DEGREE   (m) its degree of firing
     RULE_BODY …   slots (m); in code, two words are a push: the slots of a degree and of 1 minus it; a
-                  negative word is an operator, or LOOK - word the look record (i) of what to push
+                  negative word is an operator, a hedge, ONE: push the degree 1, or LOOK - word the look record (i)
+                  of what to push
     … conclusions, THEN_SIZE words each:
     THEN_DEGREE   (m) the accumulated degree
     THEN_SUM      0: accumulate by MAX; 1: sum (BSUM and NSUM are finished with the output)
@@ -181,8 +182,10 @@ TERM_AT, TERM_END, TERM_COUNT, TERM_SPOTS = range(4)
 PART_TERM, PART_END, PART_PAIRS, PART_PAIR = range(4)
 
 ALL_MIN, ALL_PROD, CODE = range(3)
-NOT, AND_MIN, AND_PROD, AND_BDIF, OR_MAX, OR_ASUM, OR_BSUM = range(-1, -8, -1)
-LOOK = -8
+NOT = -1
+AND_MIN, AND_PROD, AND_BDIF, AND_HPROD, AND_EPROD, AND_DPROD, AND_NMIN = range(-2, -9, -1)
+OR_MAX, OR_ASUM, OR_BSUM, OR_HSUM, OR_ESUM, OR_DSUM, OR_NMAX = range(-9, -16, -1)
+ONE, VERY, EXTREMELY, SOMEWHAT, SELDOM, LOOK = range(-16, -22, -1)
 GROUP_MAX, GROUP_BSUM, GROUP_NSUM = range(3)
 BY_COGS, BY_DEGREE, BY_SINGLETONS, BY_AREA = range(4)
 METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM = range(5)

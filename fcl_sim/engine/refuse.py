@@ -8,16 +8,11 @@ from fcl_sim.engine.program import LARGEST
 from fcl_sim.model import (
     Accumulation,
     Activation,
-    And,
     AndOperator,
-    Condition,
     Defuzzification,
     FunctionBlock,
     Fuzzification,
-    Is,
     Method,
-    Not,
-    Or,
     OrOperator,
     Point,
     Points,
@@ -32,7 +27,6 @@ FLATTEST = 1e308
 HINTS = {
     "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
     "FCL408": "give base points, or for outputs single values",
-    "FCL409": "give the term that is meant its own base points",
     "FCL410": "take the algorithms of Tables 3, 4 and 5",
     "FCL411": "leave the setting out",
 }
@@ -75,9 +69,6 @@ def _findings(block: FunctionBlock) -> Iterator[Finding]:
         yield from _output(defuzzification)
     for rule_block in block.rule_blocks:
         yield from _rule_block(rule_block)
-        for rule in rule_block.rules:
-            if any(each.hedges for each in _subconditions(rule.condition)):
-                yield "FCL409", "hedges are not evaluated yet", rule.span
 
 
 def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
@@ -127,13 +118,3 @@ def _rule_block(block: RuleBlock) -> Iterator[Finding]:
             yield "FCL410", f"{chosen} is not evaluated yet", block.span
     if not block.enabled:
         yield "FCL411", f"ENABLED of the rule block `{block.name}` is not evaluated yet", block.span
-
-
-def _subconditions(condition: Condition) -> Iterator[Is]:
-    if isinstance(condition, Is):
-        yield condition
-    elif isinstance(condition, Not):
-        yield from _subconditions(condition.argument)
-    elif isinstance(condition, And | Or):
-        for argument in condition.arguments:
-            yield from _subconditions(argument)

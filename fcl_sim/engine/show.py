@@ -17,6 +17,11 @@ OPERATORS = {
     p.OR_MAX: "MAX",
     p.OR_ASUM: "ASUM",
     p.OR_BSUM: "BSUM",
+    p.ONE: "any",
+    p.VERY: "very",
+    p.EXTREMELY: "extremely",
+    p.SOMEWHAT: "somewhat",
+    p.SELDOM: "seldom",
 }
 
 

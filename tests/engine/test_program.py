@@ -1,10 +1,36 @@
+import numpy as np
+
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.entries import evaluate_one
 from fcl_sim.engine.labels import unique_labels
-from fcl_sim.engine.program import RULE, RULE_DEGREE
+from fcl_sim.engine.program import RULE, RULE_DEGREE, SUMMARY
 from fcl_sim.engine.show import program_text
-from fcl_sim.model import And, Degree, Is, Not, Or, RuleBlock, Variable
-from tests.engine.bases import CRANE, CRANE_THREE, block, every, output, points, rule, singleton
+from fcl_sim.model import (
+    Accumulation,
+    And,
+    Degree,
+    Is,
+    Method,
+    Not,
+    Or,
+    Point,
+    Points,
+    RuleBlock,
+    Singleton,
+    Term,
+    Variable,
+)
+from tests.engine.bases import (
+    CRANE,
+    CRANE_THREE,
+    block,
+    every,
+    output,
+    points,
+    rule,
+    singleton,
+    tabulated,
+)
 
 SMALL = block(
     {"x": (points("low", (0, 1), (1, 0)), points("high", (0, 0), (1, 1)))},
@@ -122,3 +148,85 @@ def test_a_block_without_rules_or_terms_is_evaluated_to_its_default():
     memory = program.initial.copy()
     evaluate_one(program.ints, program.floats, memory)
     assert memory[: program.recorded].tolist() == [0.0, 2.0, 0.0]
+
+
+def test_of_hundreds_of_rules_those_that_fire_are_found_and_forgotten():
+    peaks = tuple(float(n) for n in range(-10, 10))
+    base = tabulated({"a": peaks, "b": peaks}, lambda a, b: 2.0 * a - b)
+    program = assemble(base)
+    assert program.ints[SUMMARY] > 0
+    memory = program.initial.copy()
+    random = np.random.default_rng(3)
+    for a, b in random.uniform(-11, 10, (300, 2)).round(1):
+        memory[:2] = a, b
+        evaluate_one(program.ints, program.floats, memory)
+        assert abs(memory[2] - (2 * np.clip(a, -10, 9) - np.clip(b, -10, 9))) <= 1e-13
+        degrees = memory[program.degrees_at : program.recorded]
+        assert 1 <= np.count_nonzero(degrees) <= 4
+        assert abs(degrees.sum() - 1.0) <= 1e-14
+
+
+def test_hundreds_of_rules_of_which_none_can_fire_give_the_default():
+    terms = tuple(points(f"t{n}", (n, 0), (n + 0.5, 1), (n + 1, 0)) for n in range(20))
+    rules = tuple(
+        rule(f"{i} {j}", every(("a", f"t{i}"), ("b", f"t{j}")), ("y", "s"))
+        for i in range(20)
+        for j in range(20)
+    )
+    base = block(
+        {"a": terms, "b": terms},
+        (output("y", singleton("s", 1), default=7.0),),
+        RuleBlock(name="r", rules=rules),
+    )
+    program = assemble(base)
+    memory = program.initial.copy()
+    for a, value in ((0.5, 1.0), (-1.0, 7.0), (19.5, 1.0), (30.0, 7.0)):
+        memory[:2] = a, 0.5
+        evaluate_one(program.ints, program.floats, memory)
+        assert memory[2] == value
+
+
+AREAS = block(
+    {"x": (Term("far", Points((Point("m", 0.0), Point(10.0, 1.0)))),)},
+    (
+        output("y", points("t", (0, 0), (1, 1), (2, 0)), default=None, method=Method.COA),
+        output("z", Term("u", Points((Point("m", 0.0), Point(5.0, 1.0)))), method=Method.RM),
+        output("w", Term("s", Singleton("m")), singleton("v", 2), method=Method.LM),
+    ),
+    RuleBlock(
+        name="r",
+        accumulation=Accumulation.BSUM,
+        rules=(
+            rule("1", every(("x", "far")), ("y", "t", 0.5), ("z", "u"), ("l", None)),
+            rule("2", Not(Degree("l")), ("y", "t"), ("w", "s")),
+        ),
+    ),
+    more_inputs=(Variable("m"),),
+    name="areas",
+)
+
+SHOWN_AREAS = """\
+x IS far: (m, 0) (10, 1)
+
+rules
+  1: MIN [x IS far]
+      max m12
+      max m14
+      sum m17
+  2: code [so far accumulated l; NOT]
+      max m13
+      sum m15
+
+outputs
+  y: CoA, range 0 .. 2, DEFAULT NC
+      BSUM
+          0.5 · MIN(m12, μ) + 1 · MIN(m13, μ) of (0, 0) (1, 1) (2, 0)
+  z: RM, range the hull of its points, DEFAULT 0
+      m413 = (m, 0) (5, 1)
+      BSUM
+          1 · MIN(m14, μ) of m413
+  w: LM, BSUM at m15, places m, 2, DEFAULT 0"""
+
+
+def test_moved_terms_and_areas_can_be_looked_at():
+    assert program_text(assemble(AREAS)).split("\n\n", 2)[2] == SHOWN_AREAS
