@@ -15,6 +15,7 @@ COMMANDS = {
     "plot": "Draw membership functions and the characteristic curve or surface.",
     "check": "Read rule bases and list what is wrong with them.",
     "conformance": "Print Tables 8 to 11 of IEC 61131-7: what fcl_sim has, or what a rule base needs.",
+    "fmt": "Write rule bases in the canonical form of the standard.",
     "explain": "Tell what the code of a finding means, why it is a fault, and how it is mended.",
     "show": "Print what a file becomes on its way: tokens, tree, model, wiring ...",
     "schema": "Print the JSON Schema of scenario files, for editors.",

@@ -95,6 +95,7 @@ CODES: dict[str, str] = {
     "FCL421": "there is no function block",
     "FCL422": "there are several function blocks",
     "FCL423": "no function block has that name",
+    "FCL501": "the Basic Level cannot say this",
     "FCL510": "a target does not have an element",
     "FCL511": "a limit of a target is passed",
     "FCL512": "a target does not have a data type",

@@ -39,10 +39,18 @@ def open_source(path: str | os.PathLike[str]) -> Source:
     return _open(path)[0]
 
 
+def source_of(content: bytes, name: str) -> Source:
+    """Return the text of what a file, or a pipe called `name`, holds; else as `open_source`."""
+    return _decoded(content, name)[0]
+
+
 def _open(path: str | os.PathLike[str]) -> tuple[Source, str]:
     """Return the text of a file, and the name of its encoding where that is not UTF-8."""
     name = os.fspath(path)
-    content = _content(name)
+    return _decoded(_content(name), name)
+
+
+def _decoded(content: bytes, name: str) -> tuple[Source, str]:
     if len(content) > LONGEST_TEXT:
         message = f"this file is too large for a rule base: {LONGEST_TEXT // 2**20} MiB are read at most"
         raise InputFault.at_file("FCL102", name, message)
