@@ -178,12 +178,19 @@ def subconclusion(cursor: Cursor) -> Conclusion:
         if cursor.token.key == "NOT":
             hint = "name the term that is meant"
             raise cursor.refuse("FCL215", "a conclusion cannot be negated", cursor.token, hint)
-        if cursor.token.key in HEDGES and cursor.ahead().kind is Kind.NAME and not cursor.at_statement(1):
+        if _at_hedge(cursor):
             raise _refuse_hedge(cursor)
         term = cursor.name(f"a term of {name.shown}", _AFTER_TERM)
     if cursor.take("WITH"):
         weight = value(cursor, "a weighting factor, a number from 0 to 1 or the name of a variable,")
     return Conclusion(name, term, weight, name.start, cursor.last.end)
+
+
+def _at_hedge(cursor: Cursor) -> bool:
+    """Return whether a hedge comes next: a term may have the name of one (S1a)."""
+    following = cursor.ahead()
+    goes_on = following.kind is Kind.NAME and following.key not in _AFTER_TERM
+    return cursor.token.key in HEDGES and goes_on and not cursor.at_statement(1)
 
 
 def _refuse_hedge(cursor: Cursor) -> Astray:

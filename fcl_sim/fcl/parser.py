@@ -120,7 +120,7 @@ def options(cursor: Cursor) -> Options:
     end = cursor.token.start
     if cursor.token.key in _OPTION_ENDS:
         cursor.advance()
-    return Options(cursor.source.text[opening.end : end], opening.end, end)
+    return Options(cursor.source.text[opening.end : end].replace("\r\n", "\n"), opening.end, end)
 
 
 def _begins_block(cursor: Cursor, *, first: bool) -> bool:
