@@ -252,14 +252,16 @@ def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) ->
         if ints[u(output + OUT_KIND)] == BY_COGS:
             degrees = base + ints[u(output + OUT_DEGREES)]
             moment, weight = moments_of_singletons(floats, places, memory, degrees, terms)
-            value = moment / (weight if weight != 0.0 else 1.0)
+            value = moment / weight if weight != 0.0 else 0.0
         else:
             value, weight = settle(ints, floats, at, output, memory, base)
-        # Chosen, not branched on: whether a rule is active is what a processor cannot foresee.
-        target = base + ints[u(output + OUT_VALUE)]
-        fallback = memory[u(target)] if ints[u(output + OUT_KEEP)] != 0 else floats[u(places + terms)]
-        memory[u(base + ints[u(output + OUT_ACTIVE)])] = 1.0 if weight != 0.0 else 0.0
-        memory[u(target)] = value if weight != 0.0 else fallback
+        if weight == 0.0:
+            memory[u(base + ints[u(output + OUT_ACTIVE)])] = 0.0
+            if ints[u(output + OUT_KEEP)] == 0:
+                memory[u(base + ints[u(output + OUT_VALUE)])] = floats[u(places + terms)]
+        else:
+            memory[u(base + ints[u(output + OUT_ACTIVE)])] = 1.0
+            memory[u(base + ints[u(output + OUT_VALUE)])] = value
         output += OUTPUT_SIZE
 
 
@@ -281,7 +283,7 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
     summary = ints[u(at + SUMMARY)]
     word = 0 if summary == 0 else next_word(ints, at, memory, base, 0)
     while word < words:
-        if words > 1:
+        if word > 0 or summary > 0:
             mask = joined_word(ints, at, memory, base, summary + word)
         visit(ints, floats, at, mask, word, memory, base)
         word += 1
