@@ -17,8 +17,20 @@ from fcl_sim.model import And, AndOperator, Condition, Degree, Hedge, Is, Not, O
 
 Bounds = tuple[Fraction, Fraction]
 
-AND_CODE = {AndOperator.MIN: p.AND_MIN, AndOperator.PROD: p.AND_PROD, AndOperator.BDIF: p.AND_BDIF}
-OR_CODE = {OrOperator.MAX: p.OR_MAX, OrOperator.ASUM: p.OR_ASUM, OrOperator.BSUM: p.OR_BSUM}
+AND_CODE = dict(
+    zip(
+        AndOperator,
+        (p.AND_MIN, p.AND_PROD, p.AND_BDIF, p.AND_HPROD, p.AND_EPROD, p.AND_DPROD, p.AND_NMIN),
+        strict=True,
+    )
+)
+OR_CODE = dict(
+    zip(
+        OrOperator,
+        (p.OR_MAX, p.OR_ASUM, p.OR_BSUM, p.OR_HSUM, p.OR_ESUM, p.OR_DSUM, p.OR_NMAX),
+        strict=True,
+    )
+)
 HEDGE_CODE = {
     Hedge.VERY: p.VERY,
     Hedge.EXTREMELY: p.EXTREMELY,
@@ -98,7 +110,7 @@ def has_complements(condition: Condition, operators: RuleBlock) -> bool:
         return False
     if isinstance(condition, And | Or):
         own = operators.and_operator if isinstance(condition, And) else operators.or_operator
-        needed = own in {AndOperator.BDIF, OrOperator.ASUM}
+        needed = own not in {AndOperator.MIN, AndOperator.PROD, OrOperator.MAX, OrOperator.BSUM}
         return needed or any(has_complements(argument, operators) for argument in condition.arguments)
     return True
 
@@ -152,6 +164,22 @@ def bounds(code: Sequence[Token], bounds_of: Callable[[Token], Bounds]) -> Bound
     return stack[-1]
 
 
+Norm = Callable[[Fraction, Fraction], Fraction]
+
+
+def _dual(norm: Norm) -> Norm:
+    """Return the S-norm of a T-norm by de Morgan's law."""
+    return lambda a, b: 1 - norm(1 - a, 1 - b)
+
+
+T_NORMS: dict[int, Norm] = {
+    p.AND_HPROD: lambda a, b: a * b / (a + b - a * b) if a + b else Fraction(0),
+    p.AND_EPROD: lambda a, b: a * b / (2 - a - b + a * b),
+    p.AND_DPROD: lambda a, b: min(a, b) if max(a, b) == 1 else Fraction(0),
+    p.AND_NMIN: lambda a, b: min(a, b) if a + b > 1 else Fraction(0),
+}
+"""Those of the Open Level."""
+
 OPERATORS: dict[int, Callable[[Fraction, Fraction], Fraction]] = {
     p.AND_MIN: min,
     p.AND_PROD: lambda a, b: a * b,
@@ -159,6 +187,8 @@ OPERATORS: dict[int, Callable[[Fraction, Fraction], Fraction]] = {
     p.OR_MAX: max,
     p.OR_ASUM: lambda a, b: a + b - a * b,
     p.OR_BSUM: lambda a, b: min(Fraction(1), a + b),
+    **T_NORMS,
+    **{p.OR_MAX - p.AND_MIN + code: _dual(norm) for code, norm in T_NORMS.items()},
 }
 """The operators on exact bounds, by their code."""
 

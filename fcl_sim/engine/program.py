@@ -61,8 +61,8 @@ Rule record (i), of varying length:
     RULE_THEN     number of conclusions
     RULE_DEGREE   (m) its degree of firing
     RULE_BODY …   slots (m); in code, two words are a push: the slots of a degree and of 1 minus it; a
-                  negative word is an operator, a hedge, ONE: push the degree 1, or LOOK - word the look record (i)
-                  of what to push
+                  negative word is an operator, a hedge, ONE (push the degree 1), or LOOK - word the look
+                  record (i) of what to push
     … conclusions, THEN_SIZE words each:
     THEN_DEGREE   (m) the accumulated degree
     THEN_SUM      0: accumulate by MAX; 1: sum (BSUM and NSUM are finished with the output)

@@ -8,12 +8,10 @@ from fcl_sim.engine.program import LARGEST
 from fcl_sim.model import (
     Accumulation,
     Activation,
-    AndOperator,
     Defuzzification,
     FunctionBlock,
     Fuzzification,
     Method,
-    OrOperator,
     Point,
     Points,
     RuleBlock,
@@ -31,10 +29,8 @@ HINTS = {
     "FCL411": "leave the setting out",
 }
 
-EVALUATED: frozenset[AndOperator | OrOperator | Activation | Accumulation] = frozenset(
+EVALUATED: frozenset[Activation | Accumulation] = frozenset(
     (
-        *(AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF),
-        *(OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM),
         *(Activation.MIN, Activation.PROD),
         *(Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM),
     )
@@ -113,7 +109,7 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
 
 
 def _rule_block(block: RuleBlock) -> Iterator[Finding]:
-    for chosen in (block.and_operator, block.or_operator, block.activation, block.accumulation):
+    for chosen in (block.activation, block.accumulation):
         if chosen not in EVALUATED:
             yield "FCL410", f"{chosen} is not evaluated yet", block.span
     if not block.enabled:

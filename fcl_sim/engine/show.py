@@ -5,18 +5,14 @@ from collections.abc import Iterator
 import numpy as np
 
 from fcl_sim.engine import program as p
+from fcl_sim.engine.conditions import AND_CODE, OR_CODE
 from fcl_sim.engine.program import Program
 from fcl_sim.engine.show_outputs import Names, outputs_text, source_text, spots_text
 
 KINDS = {p.ALL_MIN: "MIN", p.ALL_PROD: "PROD", p.CODE: "code"}
 OPERATORS = {
     p.NOT: "NOT",
-    p.AND_MIN: "MIN",
-    p.AND_PROD: "PROD",
-    p.AND_BDIF: "BDIF",
-    p.OR_MAX: "MAX",
-    p.OR_ASUM: "ASUM",
-    p.OR_BSUM: "BSUM",
+    **{code: str(operator) for operator, code in (*AND_CODE.items(), *OR_CODE.items())},
     p.ONE: "any",
     p.VERY: "very",
     p.EXTREMELY: "extremely",

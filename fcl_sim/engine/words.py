@@ -55,7 +55,7 @@ def _is_leaf(condition: Condition) -> bool:
 
 
 def _hedged(condition: Is, degree_of: Callable[[Condition], float]) -> str:
-    """Return hedges as functions of one another, the last one innermost; `any` is 1 whatever it stands before."""
+    """Return hedges as functions of one another, the last one innermost; `any` is 1 before all terms."""
     bare = Hedge.ANY in condition.hedges
     text = "1" if bare else number(degree_of(replace(condition, hedges=())))
     outer = condition.hedges[: condition.hedges.index(Hedge.ANY)] if bare else condition.hedges

@@ -237,7 +237,14 @@ TABLE_10 = (
         "nan; number | NC",
         IN_PART,
     ),
-    Row("hedge", 10, "hedges in conditions", "IS", "very, extremely, somewhat, seldom, any, not", IN_PART),
+    Row(
+        "hedge",
+        10,
+        "hedges in conditions",
+        "IS",
+        "very, extremely, somewhat, seldom, any, not",
+        "yes; the last one is applied first (S15)",
+    ),
     Row(
         "concluded",
         10,

@@ -7,7 +7,7 @@ import pytest
 from fcl_sim.diagnostics import InputFault, Source, Span
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.evaluate import evaluate
-from fcl_sim.model import Accumulation, Curve, CurveKind, Hedge, Is, Method, RuleBlock, Term
+from fcl_sim.model import Accumulation, Curve, CurveKind, Method, RuleBlock, Term
 from tests.engine.bases import block, every, output, points, rule, singleton
 
 SOURCE = Source("base.fcl", "TERM t := 1;\nTERM u := 2;\n")
@@ -22,10 +22,6 @@ def at(span, term):
     return replace(term, span=span)
 
 
-def rules(condition, *, number=0, **settings):
-    return replace(RULES, rules=(replace(rule("1", condition, ("y", "s")), span=SPANS[number]),), **settings)
-
-
 HUGE = output("y", at(SPANS[0], singleton("s", 1e301)), at(SPANS[1], singleton("t", -1e301)))
 FLAT = (at(SPANS[1], points("low", (-9e299, 0), (9e299, 1e-9))),)
 CURVE = Term("s", Curve(CurveKind.GAUSSIAN, (0.0, 1.0)), span=SPANS[0])
@@ -38,10 +34,6 @@ CASES = {
     "FCL408": (
         block({"x": INPUT}, (output("y", CURVE),), RULES),
         "`s` of `y` has a shape that is not evaluated yet",
-    ),
-    "FCL409": (
-        block({"x": INPUT}, (PLAIN,), rules(Is("x", "low", hedges=(Hedge.VERY,)))),
-        "hedges are not evaluated yet",
     ),
     "FCL410": (
         block({"x": INPUT}, (PLAIN,), replace(RULES, accumulation=Accumulation.SUM, span=SPANS[0])),
