@@ -42,9 +42,9 @@ class _Level:
 
 
 def condition(cursor: Cursor) -> Condition:
-    """Read `condition ::= x {('AND' x) | ('OR' x)}` (5.4.1).
+    """Read `condition ::= factor {('AND' | 'OR') factor}` (5.4.1).
 
-    `x ::= ['NOT'] (subcondition | '(' condition ')')`. AND binds before OR
+    `factor ::= {'NOT'} (subcondition | '(' condition ')')`. AND binds before OR
     (Table 6). Read with a stack of its own, so that no text exhausts Python's.
     """
     levels = [_Level()]
@@ -83,9 +83,10 @@ def _prefixes(cursor: Cursor, levels: list[_Level]) -> None:
 
 
 def subcondition(cursor: Cursor) -> Condition:
-    """Read `subcondition ::= variable | variable 'IS' ['NOT'] {hedge} term_name` (5.4.1, S15).
+    """Read a subcondition (5.4.1), or Annex D's member of a structure (S7).
 
-    Annex D's `structure = member` is read as well (S7).
+    `subcondition ::= variable | variable_name '=' member_name
+    | variable 'IS' ['NOT'] {hedge} (term_name | 'ANY')`
     """
     name = variable(cursor, "the name of a variable", _AFTER_VARIABLE)
     if cursor.token.key == "IS":
@@ -113,7 +114,10 @@ def _is(cursor: Cursor, name: Token) -> Is:
 
 
 def _at_hedge(cursor: Cursor) -> bool:
-    """Return whether a hedge comes next: a term may have the name of one (S1a)."""
+    """Return whether a hedge comes next: a term may have the name of one (S1a).
+
+    `hedge ::= 'VERY' | 'EXTREMELY' | 'SOMEWHAT' | 'SELDOM' | 'ANY' | 'NOT'`
+    """
     token, following = cursor.token, cursor.ahead()
     if token.key == "NOT":
         return True

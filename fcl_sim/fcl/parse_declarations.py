@@ -20,7 +20,10 @@ _RANGES = frozenset((":=", "("))
 
 
 def declarations(cursor: Cursor) -> Declarations:
-    """Read `declarations ::= ('VAR_INPUT' | 'VAR_OUTPUT' | 'VAR') [qualifier] {declaration} 'END_VAR'`."""
+    """Read a section of variables, with a qualifier or without.
+
+    `declarations ::= ('VAR_INPUT' | 'VAR_OUTPUT' | 'VAR') {declaration ['RANGE' limits ';']} 'END_VAR'`
+    """
     opening = cursor.advance()
     if opening.key in OTHER_KINDS:
         cursor.findings.error(
@@ -82,11 +85,10 @@ def _later_range(cursor: Cursor, variables: list[Declaration], last: int) -> Non
 
 
 def declaration(cursor: Cursor, *, member: bool = False) -> list[Declaration]:
-    """Read `declaration ::= name {',' name} ':' type [range] [':=' constant] [range] ';'`.
+    """Read the declaration of one variable or more; a `member` of a structure is no structure.
 
-    `type ::= data_type | structure`; `range ::= ['RANGE' [':=']] '(' limit '..' limit ')'` is Open Level,
-    and so is a range as a statement of its own behind the declaration. A `member` of a structure is no
-    structure.
+    `declaration ::= variable_name {',' variable_name} ':' (data_type | unnamed_structure)
+    ['(' limit '..' limit ')'] [':=' constant] ['RANGE' limits] ';'`
     """
     names = [cursor.name("the name of a variable", _AFTER_NAME, begins=True)]
     while cursor.take(","):
@@ -113,6 +115,10 @@ def declaration(cursor: Cursor, *, member: bool = False) -> list[Declaration]:
     return [Declaration(name, type_name, initial, found) for name in names]
 
 
+def _ends(cursor: Cursor) -> bool:
+    return cursor.token.key == "END_STRUCT" or cursor.token.key in _NO_MEMBER
+
+
 def _type(cursor: Cursor, *, member: bool) -> Token | Structure:
     if cursor.token.key != "STRUCT":
         return cursor.name("a data type")
@@ -129,13 +135,14 @@ def _type(cursor: Cursor, *, member: bool) -> Token | Structure:
 
 
 def structure(cursor: Cursor, name: Token | None = None) -> Structure:
-    """Read `structure ::= 'STRUCT' [name] {declaration} 'END_STRUCT'` (Annex D, S7).
+    """Read a structure; its `name` is what stands before the colon, if anything does (S7).
 
-    The name stands here, or before the colon (IEC 61131-3 B.1.3.3), or there is
-    none where a variable is declared.
+    `structure ::= 'STRUCT' type_name [';'] {declaration} 'END_STRUCT'` (Annex D)
+
+    `unnamed_structure ::= 'STRUCT' {declaration} 'END_STRUCT'` (IEC 61131-3 B.1.3.3)
     """
     keyword = cursor.advance()
-    if name is None and cursor.token.kind is Kind.NAME and not _is_declared(cursor):
+    if name is None and cursor.token.kind is Kind.NAME and not (_is_declared(cursor) or _ends(cursor)):
         name = cursor.advance()
         cursor.take(";")
     members: list[Declaration] = []

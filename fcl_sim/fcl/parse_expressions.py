@@ -71,10 +71,10 @@ def expression(cursor: Cursor, *, natural: bool = False) -> Expression:
 
 
 def operand(cursor: Cursor) -> Expression:
-    """Read `operand ::= {'-' | '+'} (numeric_literal | variable_name | [function] '(' arguments ')')`.
+    """Read an operand whose signs and opening parentheses have been taken.
 
-    `arguments ::= expression {',' expression}`; signs and opening parentheses
-    have been taken.
+    `operand ::= {'-' | '+'} (numeric_literal | variable | '(' expression ')'
+    | function_name '(' expression {',' expression} ')')`
     """
     what = "a number, the name of a variable or a function"
     if cursor.token.kind is Kind.NAME:

@@ -11,15 +11,15 @@ from fcl_sim.fcl.tokens import Kind, Token
 from fcl_sim.fcl.tree import Conclusion, Rule, RuleBlock, Setting
 
 _WORDS = (Kind.NAME, Kind.NUMBER, Kind.MIXED)
-_BEGINS_STATEMENT = frozenset(("AND", "OR", "ACT", "ACCU", "RULE", "IF"))
+_BEGINS_STATEMENT = frozenset(("AND", "OR", "ACT", "ACCU", "ENABLED", "RULE", "IF"))
 _AFTER_VARIABLE = frozenset(("IS", "WITH", ",", ";", "AND", ")"))
 _AFTER_TERM = frozenset(("WITH", ",", ";", "AND", ")"))
 
 
 def rule_block(cursor: Cursor) -> RuleBlock:
-    """Read `rule_block ::= 'RULEBLOCK' rule_block_name {statement} 'END_RULEBLOCK'` (5.4.1).
+    """Read `rule_block ::= 'RULEBLOCK' rule_block_name {rule_block_statement} 'END_RULEBLOCK'` (5.4.1).
 
-    `statement ::= operator_definition | activation_method | accumulation_method | enabled | rule`;
+    `rule_block_statement ::= operator_definition | activation_method | accumulation_method | enabled | rule`;
     ENABLED is Open Level.
     """
     opening = cursor.advance()
@@ -129,7 +129,7 @@ def _body(cursor: Cursor, heading: Spanned, label: str) -> Rule:
 
 
 def conclusion(cursor: Cursor) -> tuple[Conclusion, ...]:
-    """Read `conclusion ::= subconclusion {',' subconclusion}` (5.4.1).
+    """Read `conclusion ::= part {(',' | 'AND') part}` with `part ::= subconclusion | '(' conclusion ')'`.
 
     AND in place of the comma is noted (S6); parentheses around a subconclusion,
     or around all of them, are Open Level.
@@ -169,7 +169,7 @@ def _open(cursor: Cursor, opened: list[Token]) -> None:
 def subconclusion(cursor: Cursor) -> Conclusion:
     """Read `subconclusion ::= variable ['IS' term_name] ['WITH' weighting_factor]` (5.4.1, S12).
 
-    `weighting_factor ::= variable | numeric_literal`.
+    `weighting_factor ::= value`
     """
     name = variable(cursor, "the name of an output variable", _AFTER_VARIABLE)
     term = None

@@ -7,10 +7,19 @@ from fcl_sim.fcl.tree import Default, Flags, Number, Range, Setting
 
 
 def choice(cursor: Cursor, key: str, what: str, also: tuple[str, ...] = ()) -> Setting:
-    """Read `choice ::= keyword ':' keyword ';'` for METHOD, AND, OR, ACT, ACCU and ENABLED (5.4.1).
+    """Read a choice by keyword (5.4.1). Which algorithms there are is the resolver's knowledge.
 
-    Which algorithms there are is the resolver's knowledge. A keyword of `also`
-    may follow without a semicolon (S10).
+    `defuzzification_method ::= 'METHOD' ':' algorithm ';'`
+
+    `activation_method ::= 'ACT' ':' algorithm ';'`
+
+    `accumulation_method ::= 'ACCU' ':' algorithm ';'`
+
+    `enabled ::= 'ENABLED' ':' ('TRUE' | 'FALSE') ';'`
+
+    `operator_definition ::= 'AND' ':' algorithm (';' | 'OR' ':' algorithm ';')
+    | 'OR' ':' algorithm (';' | 'AND' ':' algorithm ';')`: a keyword of `also` may
+    follow without a semicolon (S10).
     """
     keyword = cursor.advance()
     try:
@@ -24,7 +33,10 @@ def choice(cursor: Cursor, key: str, what: str, also: tuple[str, ...] = ()) -> S
 
 
 def default_value(cursor: Cursor) -> Setting:
-    """Read `default_value ::= 'DEFAULT' ':=' (limit ['|' 'NC'] | 'NC') ';'` (5.4.1, S15)."""
+    """Read a default value (5.4.1, S15).
+
+    `default_value ::= 'DEFAULT' ':=' ('NC' | (numeric_literal | 'NAN') ['|' 'NC']) ';'`
+    """
     keyword = cursor.advance()
     try:
         cursor.expect(":=", "DEFAULT", instead=(":", "="))
@@ -52,7 +64,7 @@ def _default(cursor: Cursor) -> Token | Number | Default:
 
 
 def output_range(cursor: Cursor) -> Setting:
-    """Read `range ::= 'RANGE' [':='] limits ';'` (5.2.3, 5.4.1, S3)."""
+    """Read `range ::= 'RANGE' limits ';'` (5.2.3, 5.4.1, S3)."""
     keyword = cursor.advance()
     try:
         found = limits(cursor)
@@ -63,7 +75,7 @@ def output_range(cursor: Cursor) -> Setting:
 
 
 def limits(cursor: Cursor) -> Range:
-    """Read `limits ::= [':='] '(' limit '..' limit ')'`; the parentheses may be missing (S3)."""
+    """Read `limits ::= [':='] '(' limit '..' limit ')' | ':=' limit '..' limit` (S3)."""
     if cursor.token.key != "(":
         cursor.expect(":=", "RANGE", instead=(":", "="))
     opened = cursor.take("(")
@@ -76,7 +88,7 @@ def limits(cursor: Cursor) -> Range:
 
 
 def lock(cursor: Cursor) -> Setting:
-    """Read `lock ::= 'LOCK' ':' flag ['|' flag] ';'`, with `flag ::= 'PREVIOUS' | 'RANGE'` (S15)."""
+    """Read `lock ::= 'LOCK' ':' flag {'|' flag} ';'`, with `flag ::= 'PREVIOUS' | 'RANGE'` (S15)."""
     keyword = cursor.advance()
     try:
         cursor.expect(":", "LOCK", instead=(":=", "="))

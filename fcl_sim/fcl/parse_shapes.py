@@ -17,9 +17,8 @@ def at_shape(cursor: Cursor) -> bool:
 def shape(cursor: Cursor) -> Named | Formula:
     """Read `shape ::= 'FUNCTION' expression | shape_name group {[','] group}` (S15).
 
-    `group ::= value | '(' value {[','] value} ')'`. Which shapes there are is
-    the resolver's knowledge. In fuzzylite's `Function` LOG is the natural
-    logarithm.
+    Which shapes there are is the resolver's knowledge. In fuzzylite's `Function`
+    LOG is the natural logarithm.
     """
     name = cursor.advance()
     if name.key == "FUNCTION":
@@ -34,6 +33,7 @@ def shape(cursor: Cursor) -> Named | Formula:
 
 
 def _group(cursor: Cursor) -> list[Value]:
+    """Read `group ::= parameter | '(' parameter {[','] parameter} ')'`."""
     if not cursor.take("("):
         return [_parameter(cursor)]
     values = [_parameter(cursor)]
@@ -45,4 +45,5 @@ def _group(cursor: Cursor) -> list[Value]:
 
 
 def _parameter(cursor: Cursor) -> Value:
+    """Read `parameter ::= value | limit`."""
     return limit(cursor, _PARAMETER) if at_extreme(cursor) else value(cursor, _PARAMETER)

@@ -9,8 +9,8 @@ from fcl_sim.fcl.tree import Structure, Structures
 def structures(cursor: Cursor) -> Structures:
     """Read `types ::= 'TYPE' {type} 'END_TYPE' | structure [';']` (S7).
 
-    `type ::= [name ':'] structure ';'`: Annex D has the name behind STRUCT, its
-    committee draft has no TYPE.
+    `type ::= structure [';'] | type_name ':' unnamed_structure [';']`: Annex D
+    has the name behind STRUCT, its committee draft has no TYPE.
     """
     opening = cursor.token
     if opening.key == "STRUCT":

@@ -27,7 +27,7 @@ def term(cursor: Cursor) -> Term:
 
 
 def membership_function(cursor: Cursor) -> Shape:
-    """Read `membership_function ::= points | numeric_literal | variable | shape` (5.4.1, S15)."""
+    """Read `membership_function ::= points | value | shape` (5.4.1, S15)."""
     if cursor.token.key == "(":
         return points(cursor)
     if cursor.token.kind is Kind.NAME and at_shape(cursor):
@@ -45,7 +45,7 @@ def points(cursor: Cursor) -> tuple[Pair, ...]:
 
 
 def point(cursor: Cursor) -> Pair:
-    """Read `point ::= '(' (numeric_literal | variable_name) ',' numeric_literal ')'` (5.2.2)."""
+    """Read `point ::= '(' value ',' value ')'` (5.2.2)."""
     opening = cursor.token
     if not cursor.take("("):
         raise cursor.stray("a point in parentheses is expected")

@@ -12,9 +12,9 @@ _AFTER_NAME = frozenset(("TERM", "METHOD", "END_FUZZIFY", "END_DEFUZZIFY"))
 
 
 def fuzzify(cursor: Cursor) -> Fuzzify:
-    """Read `fuzzify_block ::= 'FUZZIFY' variable {statement} 'END_FUZZIFY'` (5.4.1).
+    """Read `fuzzify_block ::= 'FUZZIFY' variable {fuzzify_statement} 'END_FUZZIFY'` (5.4.1).
 
-    `statement ::= linguistic_term | range | lock | enabled`; all but the first are Open Level.
+    `fuzzify_statement ::= linguistic_term | range | lock | enabled`; all but the first are Open Level.
     """
     opening = cursor.advance()
     name = section_name(cursor, "the name of an input variable")
@@ -41,10 +41,10 @@ def fuzzify(cursor: Cursor) -> Fuzzify:
 
 
 def defuzzify(cursor: Cursor) -> Defuzzify:
-    """Read `defuzzify_block ::= 'DEFUZZIFY' variable {statement} 'END_DEFUZZIFY'` (5.4.1).
+    """Read `defuzzify_block ::= 'DEFUZZIFY' variable {defuzzify_statement} 'END_DEFUZZIFY'` (5.4.1).
 
-    `statement ::= range | linguistic_term | defuzzification_method | default_value |
-    accumulation_method | lock | enabled`, in any order (S3, S8); the last two are Open Level.
+    `defuzzify_statement ::= linguistic_term | range | defuzzification_method | default_value
+    | accumulation_method | lock | enabled`, in any order (S3, S8); the last two are Open Level.
     """
     opening = cursor.advance()
     name = section_name(cursor, "the name of an output variable")

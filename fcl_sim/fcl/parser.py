@@ -37,7 +37,7 @@ class Parsing:
 
 
 def parse(scan: Scan) -> Parsing:
-    """Return the syntax tree of a text: one or several function blocks (S16)."""
+    """Return the syntax tree of a text, `text ::= {types} function_block {function_block}` (S16)."""
     cursor = Cursor(scan)
     blocks: list[Block] = []
     verbatim: list[Span] = []
@@ -58,11 +58,14 @@ def parse(scan: Scan) -> Parsing:
 
 
 def function_block(cursor: Cursor) -> Block:
-    """Read `function_block ::= 'FUNCTION_BLOCK' name {section} 'END_FUNCTION_BLOCK'` (5.4.1).
+    """Read a function block (5.4.1).
 
-    `section ::= declarations | fuzzify_block | defuzzify_block | rule_block |
-    option_block | types`, in any order. A text that begins with a section is read as if
-    the heading stood there.
+    `function_block ::= 'FUNCTION_BLOCK' function_block_name {section} 'END_FUNCTION_BLOCK' [';']`
+
+    `section ::= declarations | types | fuzzify_block | defuzzify_block | rule_block | option_block`
+
+    The name may be missing, and need not be an identifier (S11, S17). A text
+    that begins with a section is read as if the heading stood there.
     """
     opening = cursor.token
     heading = None
@@ -110,7 +113,10 @@ def _read_section(cursor: Cursor, opening: Token, readers: Mapping[str, Reader])
 
 
 def options(cursor: Cursor) -> Options:
-    """Read `option_block ::= 'OPTION' any text 'END_OPTION'`, or OPTIONS and END_OPTIONS (Table 7, S4)."""
+    """Read what only its writer understands (Table 7, S4).
+
+    `option_block ::= 'OPTION' any_text 'END_OPTION' | 'OPTIONS' any_text 'END_OPTIONS'`
+    """
     opening = cursor.advance()
     while cursor.token.key not in _OPTION_ENDS:
         if cursor.token.kind is Kind.END or cursor.token.key in {_END, "FUNCTION_BLOCK"}:

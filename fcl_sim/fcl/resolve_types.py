@@ -31,7 +31,7 @@ def resolve_structures(scope: Scope, sections: Iterable[Structures]) -> None:
             name = each.name
             if name is None:
                 message = "this structure has no name"
-                scope.findings.error("FCL209", message, each.keyword, hint="write `STRUCT name`")
+                scope.findings.error("FCL309", message, each.keyword, hint="write `STRUCT name`")
                 continue
             first = scope.structures.setdefault(name.key, structure_type(scope, each, name))
             if first.span is not None and first.span.start != name.start:
@@ -50,7 +50,7 @@ def structure_type(scope: Scope, structure: Structure, name: Token) -> ModelStru
             scope.findings.error("FCL301", message, each.name)
         members.setdefault(each.name.key, Member(each.name.text, kind, initial))
     if not members:
-        scope.findings.error("FCL209", f"the structure `{name.text}` has no members", name)
+        scope.findings.error("FCL309", f"the structure `{name.text}` has no members", name)
     scope.findings.feature("structure", f"the structure type `{name.text}`", name)
     return ModelStructure(name.text, tuple(members.values()), scope.findings.span(name))
 
