@@ -140,7 +140,7 @@ def area_of(
         for each in own
         if each.degree * each.weight > 0
     ]
-    algorithms = {each.block: block.rule_blocks[each.block].accumulation for each in own}
+    algorithms = {each.block: accumulation_of(block, each.block, output.variable) for each in own}
     return accumulated_area(contributions, algorithms, limits)
 
 
@@ -205,7 +205,7 @@ def accumulate(block: FunctionBlock, variable: str, results: list[Result]) -> di
     """
     own = [each for each in results if each.variable == variable]
     concluding = [
-        (number, each.accumulation)
+        (number, accumulation_of(block, number, variable))
         for number, each in enumerate(block.rule_blocks)
         if any(then.variable == variable for rule in each.rules for then in rule.conclusions)
     ]
@@ -222,6 +222,12 @@ def accumulate(block: FunctionBlock, variable: str, results: list[Result]) -> di
         for term, degree in combine(algorithm, terms, group).items():
             degrees[term] = max(degrees[term], degree)
     return degrees
+
+
+def accumulation_of(block: FunctionBlock, number: int, variable: str) -> Accumulation:
+    """Return by what a rule block accumulates a variable: the output's own ACCU goes before (S8)."""
+    chosen = [each.accumulation for each in block.defuzzifications if each.variable == variable]
+    return chosen[0] if chosen and chosen[0] else block.rule_blocks[number].accumulation
 
 
 def combine(

@@ -102,6 +102,8 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
             yield "FCL407", f"singletons of `{name}` exceed what binary64 can carry", term.span
     if output.range is not None and not max(map(abs, output.range)) < LARGEST:
         yield "FCL407", f"RANGE of `{name}` exceeds what binary64 can carry", output.span
+    if output.accumulation is not None and output.accumulation not in EVALUATED:
+        yield "FCL410", f"{output.accumulation} is not evaluated yet", output.span
     if output.method is Method.SUM:
         yield "FCL410", f"METHOD {output.method} is not evaluated yet", output.span
     if output.held or output.clamped or not output.enabled:

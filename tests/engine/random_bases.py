@@ -153,6 +153,7 @@ def _output(random: Random, name: str, *, moving: bool) -> Defuzzification:
         method=random.choice(FOR_AREAS if with_area else FOR_SINGLETONS),
         default=random.choice((None, 0.0, random.uniform(-5, 5))),
         range=limits if with_area else None,
+        accumulation=random.choice((None, None, None, random.choice(ACCU))),
     )
 
 

@@ -1,5 +1,6 @@
 """Outputs with areas, against closed forms and the decisions of SEMANTICS S20 to S34."""
 
+from dataclasses import replace
 from math import sqrt
 
 import pytest
@@ -187,3 +188,20 @@ def test_a_term_moved_by_a_variable_is_fuzzified_where_it_stands():
     for start, x, degree in ((0.0, 4.0, 0.4), (8.0, 9.0, 0.5), (12.0, 11.0, 0.0), (12.0, 12.0, 1.0)):
         value = float(evaluate(program, {"x": x, "start": start, "d": 1.0 - degree}).outputs["y"])
         assert abs(value - degree) <= 1e-15
+
+
+def test_an_output_s_own_accu_goes_before_that_of_the_rule_block():
+    base = block(
+        {},
+        (replace(output("y", singleton("s", 1.0), singleton("z", 0.0)), accumulation=Accumulation.BSUM),),
+        RuleBlock(
+            name="r",
+            rules=(
+                rule("1", Degree("d"), ("y", "s")),
+                rule("2", Degree("d"), ("y", "s")),
+                rule("3", Degree("d"), ("y", "z")),
+            ),
+        ),
+        more_inputs=(Variable("d"),),
+    )
+    assert abs(float(evaluate(assemble(base), {"d": 0.25}).outputs["y"]) - 2 / 3) <= 1e-16
