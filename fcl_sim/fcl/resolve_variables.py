@@ -104,6 +104,7 @@ def _owner(scope: Scope, section: Fuzzify | Defuzzify, role: Role) -> Declared |
             "FCL312" if role is Role.INPUT else "FCL313",
             f"{section.opening.key} is for {what}, and `{declared.name}` is declared in {section_name}",
             section.variable,
+            hint="the terms of an output stand in its DEFUZZIFY" if declared.role is Role.OUTPUT else "",
             related=(scope.findings.place(declared.token, "declared here"),),
         )
         return None
