@@ -5,6 +5,7 @@ from math import inf, nan
 
 import numpy as np
 
+from fcl_sim.arithmetic.curves import CODES, PARAMETERS
 from fcl_sim.arithmetic.membership import FEW
 from fcl_sim.engine import program as p
 from fcl_sim.engine.assemble_outputs import put_outputs
@@ -18,7 +19,8 @@ from fcl_sim.engine.plan import Moved, Plan, plan
 from fcl_sim.engine.plan_areas import points_of
 from fcl_sim.engine.program import Layout, Program
 from fcl_sim.engine.refuse import refuse
-from fcl_sim.model import FunctionBlock, Variable
+from fcl_sim.engine.straighten import straightened
+from fcl_sim.model import Curve, FunctionBlock, Variable
 
 
 def assemble(block: FunctionBlock) -> Program:
@@ -27,6 +29,7 @@ def assemble(block: FunctionBlock) -> Program:
     Raises InputFault, with every place, for what cannot be evaluated (FCL4xx).
     """
     refuse(block)
+    block = straightened(block)
     own = plan(block)
     codes = [code_of(rule_block, rule, own) for rule_block in block.rule_blocks for rule in rule_block.rules]
     buffers = Buffers()
@@ -132,11 +135,21 @@ def _moves(buffers: Buffers, own: Plan) -> int:
     """Append a record for every moved term of an input; return where they begin."""
 
     def record(each: Moved) -> list[int]:
+        if isinstance(each.term.shape, Curve):
+            return _curve(buffers, own, each, each.term.shape)
         points = points_of(each.term)
         head = [own.inputs[each.variable], each.slot, each.complement, len(points)]
         return [*head, *buffers.spots(own, points)]
 
     return buffers.put(word for each in [record(moved) for moved in own.moved] for word in each)
+
+
+def _curve(buffers: Buffers, own: Plan, moved: Moved, curve: Curve) -> list[int]:
+    """Return the record of a term that is a smooth curve."""
+    spare = [0] * (PARAMETERS - len(curve.parameters))
+    head = [own.inputs[moved.variable], moved.slot, moved.complement, -1 - CODES[curve.kind]]
+    sources = [buffers.source(own, each) for each in curve.parameters]
+    return [*head, buffers.constant(curve.height), *sources, *spare]
 
 
 def _initial(block: FunctionBlock, size: int) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

@@ -1,13 +1,17 @@
-"""What variables move: base points (figure 5, S22) and singletons."""
+"""What variables move: base points (figure 5, S22), curves and singletons."""
 
 from math import inf
 
 from numpy import float64, int64
 from numpy.typing import NDArray
 
+from fcl_sim.arithmetic.curves import curve_degree
 from fcl_sim.arithmetic.operators import maximum, minimum
 from fcl_sim.arithmetic.polyline import POINT_SIZE
 from fcl_sim.engine.program import (
+    CURVE_HEIGHT,
+    CURVE_PARAMETER,
+    CURVE_SIZE,
     FLOATS,
     LARGEST,
     MOVE,
@@ -46,11 +50,34 @@ def abscissa(source: int, floats: Floats, origin: int, memory: Floats, base: int
 
 
 @flat
+def fuzzify_curve(
+    ints: Ints, floats: Floats, origin: int, record: int, memory: Floats, base: int
+) -> tuple[float, float]:
+    """Return the degree, and 1 minus it, of a term that is a smooth curve."""
+    a = record + CURVE_PARAMETER
+    return curve_degree(
+        -1 - ints[u(record + MOVE_COUNT)],
+        minimum(LARGEST, maximum(-LARGEST, memory[u(base + ints[u(record + MOVE_INPUT)])])),
+        abscissa(ints[u(a)], floats, origin, memory, base),
+        abscissa(ints[u(a + 1)], floats, origin, memory, base),
+        abscissa(ints[u(a + 2)], floats, origin, memory, base),
+        abscissa(ints[u(a + 3)], floats, origin, memory, base),
+        sourced(ints[u(record + CURVE_HEIGHT)], floats, origin, memory, base),
+    )
+
+
+@flat
 def fuzzify_moved(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
-    """Write the degrees, and 1 minus them, of all terms of inputs with moved points."""
+    """Write the degrees, and 1 minus them, of all terms of inputs with moved points or curves."""
     origin = ints[u(at + FLOATS)]
     record = at + ints[u(at + MOVE)]
     for _ in range(ints[u(at + MOVED)]):
+        if ints[u(record + MOVE_COUNT)] < 0:
+            degree, complement = fuzzify_curve(ints, floats, origin, record, memory, base)
+            memory[u(base + ints[u(record + MOVE_SLOT)])] = degree
+            memory[u(base + ints[u(record + MOVE_NOT)])] = complement
+            record += CURVE_SIZE
+            continue
         x = memory[u(base + ints[u(record + MOVE_INPUT)])]
         count = ints[u(record + MOVE_COUNT)]
         spots = record + MOVE_SPOTS

@@ -44,7 +44,7 @@ class Accumulator:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """A term of an input with moved points, and the slots of its degree and of 1 minus it."""
+    """A term of an input with moved points or a curve, and the slots of its degree and of 1 minus it."""
 
     variable: str
     term: Term
@@ -164,14 +164,19 @@ def _pairs(leaves: Iterable[Leaf]) -> list[Leaf]:
 def _functions(
     fuzzification: Fuzzification, used: set[Leaf]
 ) -> tuple[list[tuple[Leaf, Function]], list[tuple[Leaf, Term]]]:
-    """Return the terms of an input and the complements that conditions use; and terms with moved points."""
+    """Return the terms of an input and the complements that conditions use; and curves and moved terms."""
     variable = fuzzification.variable.casefold()
-    moved = [term for term in fuzzification.terms if any(isinstance(each.x, str) for each in points_of(term))]
+    moved = [term for term in fuzzification.terms if not _is_fixed(term)]
     bases = [(term.name.casefold(), base_of(term)) for term in fuzzification.terms if term not in moved]
     plain = [(Leaf(variable, term), Function(base)) for term, base in bases]
     negated = [(Leaf(variable, term, negated=True), Function(base, negated=True)) for term, base in bases]
     own = plain + [(leaf, function) for leaf, function in negated if leaf in used]
     return own, [(Leaf(variable, term.name.casefold()), term) for term in moved]
+
+
+def _is_fixed(term: Term) -> bool:
+    """Return whether a term has base points that are constant."""
+    return isinstance(term.shape, Points) and not any(isinstance(each.x, str) for each in term.shape.points)
 
 
 def base_of(term: Term) -> Base:

@@ -19,7 +19,7 @@ Header (i):
     GRID          (i) their records, GRID_SIZE words each
     BROUGHT       number of variables brought in as degrees or weights (S27)
     BRING         (i) their records, BRING_SIZE words each
-    MOVED         number of terms of inputs with points moved by variables
+    MOVED         number of terms of inputs with points moved by variables, or with smooth curves
     MOVE          (i) their records
     RULE          (i) table: where each rule's record begins (i); 32 entries to a mask word, and within
                   them, in place of bit b, the entry (DE_BRUIJN << b >> 27) & 31
@@ -54,6 +54,9 @@ Record of a moved term of an input (i), of varying length:
     MOVE_NOT      (m) 1 minus its degree
     MOVE_COUNT    number of points
     … points, SPOT_SIZE words each: SPOT_X, a source; SPOT_DEGREE (f)
+or of a curve (i), CURVE_SIZE words, where MOVE_COUNT is -1 - its kind (arithmetic.curves):
+    CURVE_HEIGHT  a source
+    … its parameters, as many sources as any kind has
 
 Rule record (i), of varying length:
     RULE_KIND     ALL_MIN or ALL_PROD: AND over slots; CODE: postfix code
@@ -146,6 +149,7 @@ from numpy.typing import NDArray
 GRID_INPUT, GRID_COUNT, GRID_KNOTS, GRID_WIDTH, GRID_ROWS, GRID_SEGMENTS, GRID_SIZE = range(7)
 BRING_INPUT, BRING_SLOT, BRING_NOT, BRING_SIZE = range(4)
 MOVE_INPUT, MOVE_SLOT, MOVE_NOT, MOVE_COUNT, MOVE_SPOTS = range(5)
+CURVE_HEIGHT, CURVE_PARAMETER, CURVE_SIZE = 4, 5, 9
 SPOT_X, SPOT_DEGREE, SPOT_SIZE = range(3)
 RULE_KIND, RULE_LENGTH, RULE_THEN, RULE_DEGREE, RULE_BODY = range(5)
 THEN_DEGREE, THEN_SUM, THEN_WEIGHT, THEN_SIZE = range(4)

@@ -8,6 +8,7 @@ from fcl_sim.engine.program import LARGEST
 from fcl_sim.model import (
     Accumulation,
     Activation,
+    Curve,
     Defuzzification,
     FunctionBlock,
     Fuzzification,
@@ -16,6 +17,7 @@ from fcl_sim.model import (
     Points,
     RuleBlock,
     Singleton,
+    Singletons,
     Term,
 )
 
@@ -24,9 +26,10 @@ FLATTEST = 1e308
 
 HINTS = {
     "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
-    "FCL408": "give base points, or for outputs single values",
+    "FCL408": "give base points or curves, or for outputs single values",
     "FCL410": "take the algorithms of Tables 3, 4 and 5",
     "FCL411": "leave the setting out",
+    "FCL412": "give the output a RANGE, such as RANGE := (0 .. 100);",
 }
 
 EVALUATED: frozenset[Activation | Accumulation] = frozenset(
@@ -69,11 +72,22 @@ def _findings(block: FunctionBlock) -> Iterator[Finding]:
 
 def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
     name = fuzzification.variable
-    if not isinstance(term.shape, Points):
+    shape = term.shape
+    if isinstance(shape, Curve):
+        if not _curve_holds(shape):
+            yield "FCL407", f"parameters of `{name}` exceed what binary64 can carry", term.span
+    elif isinstance(shape, Singletons):
+        if len(shape.points) > 1 and any(isinstance(point.x, str) for point in shape.points):
+            message = f"`{term.name}` of `{name}` has several single values that variables move"
+            yield "FCL408", f"{message}, which is not evaluated yet", term.span
+    elif not isinstance(shape, Points):
         yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
-        return
-    if not _all_hold(term.shape.points):
+    elif not _all_hold(shape.points):
         yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
+
+
+def _curve_holds(curve: Curve) -> bool:
+    return all(isinstance(each, str) or abs(each) < LARGEST for each in curve.parameters)
 
 
 def _all_hold(points: Sequence[Point]) -> bool:
@@ -93,7 +107,9 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
     name = output.variable
     for term in output.terms:
         shape = term.shape
-        if isinstance(shape, Points):
+        if isinstance(shape, Curve):
+            yield from _output_curve(output, term, shape)
+        elif isinstance(shape, Points):
             if not _all_hold(shape.points):
                 yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
         elif not isinstance(shape, Singleton):
@@ -108,6 +124,17 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
         yield "FCL410", f"METHOD {output.method} is not evaluated yet", output.span
     if output.held or output.clamped or not output.enabled:
         yield "FCL411", f"LOCK or ENABLED of `{name}` is not evaluated yet", output.span
+
+
+def _output_curve(output: Defuzzification, term: Term, curve: Curve) -> Iterator[Finding]:
+    """Yield what keeps a curve from being a polyline over a finite range."""
+    subject = f"`{term.name}` of `{output.variable}`"
+    if output.range is None:
+        yield "FCL412", f"{subject} is a smooth shape, and `{output.variable}` has no RANGE", term.span
+    if any(isinstance(each, str) for each in curve.parameters):
+        yield "FCL408", f"{subject} is a smooth shape that variables move, not evaluated yet", term.span
+    elif not _curve_holds(curve):
+        yield "FCL407", f"parameters of `{output.variable}` exceed what binary64 can carry", term.span
 
 
 def _rule_block(block: RuleBlock) -> Iterator[Finding]:

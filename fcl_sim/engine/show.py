@@ -4,10 +4,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from fcl_sim.arithmetic.curves import ARITIES
 from fcl_sim.engine import program as p
 from fcl_sim.engine.conditions import AND_CODE, OR_CODE
 from fcl_sim.engine.program import Program
 from fcl_sim.engine.show_outputs import Names, outputs_text, source_text, spots_text
+from fcl_sim.model import CurveKind
 
 KINDS = {p.ALL_MIN: "MIN", p.ALL_PROD: "PROD", p.CODE: "code"}
 OPERATORS = {
@@ -108,9 +110,21 @@ def _moved(program: Program) -> Iterator[str]:
     for _ in range(int(ints[p.MOVED])):
         count = int(ints[record + p.MOVE_COUNT])
         yield ""
+        if count < 0:
+            yield f"{names[int(ints[record + p.MOVE_SLOT])]}: {_curve_text(record, program, names)}"
+            record += p.CURVE_SIZE
+            continue
         points = spots_text(record + p.MOVE_SPOTS, count, program, names)
         yield f"{names[int(ints[record + p.MOVE_SLOT])]}: {points}"
         record += p.MOVE_SPOTS + p.SPOT_SIZE * count
+
+
+def _curve_text(record: int, program: Program, names: Names) -> str:
+    """Return height, kind and parameters of a curve."""
+    sources = program.ints[record + p.CURVE_HEIGHT : record + p.CURVE_SIZE].tolist()
+    height, *parameters = (source_text(source, program, names) for source in sources)
+    code = -1 - int(program.ints[record + p.MOVE_COUNT])
+    return f"{height} * {tuple(CurveKind)[code]}({', '.join(parameters[: ARITIES[code]])})"
 
 
 def _rules(program: Program) -> Iterator[str]:

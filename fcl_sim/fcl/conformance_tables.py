@@ -209,7 +209,8 @@ TABLE_10 = (
         "free membership functions",
         "TERM",
         ", ".join(SHAPES),
-        IN_PART,
+        "yes; of inputs by their formulae, of outputs, which then need a RANGE and constant parameters, as "
+        "polylines within 1e-6 (S33)",
     ),
     Row(
         "singletons",

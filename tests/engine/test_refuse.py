@@ -7,7 +7,7 @@ import pytest
 from fcl_sim.diagnostics import InputFault, Source, Span
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.evaluate import evaluate
-from fcl_sim.model import Accumulation, Curve, CurveKind, Method, RuleBlock, Term
+from fcl_sim.model import Accumulation, Curve, CurveKind, Formula, Method, Reference, RuleBlock, Term
 from tests.engine.bases import block, every, output, points, rule, singleton
 
 SOURCE = Source("base.fcl", "TERM t := 1;\nTERM u := 2;\n")
@@ -25,6 +25,7 @@ def at(span, term):
 HUGE = output("y", at(SPANS[0], singleton("s", 1e301)), at(SPANS[1], singleton("t", -1e301)))
 FLAT = (at(SPANS[1], points("low", (-9e299, 0), (9e299, 1e-9))),)
 CURVE = Term("s", Curve(CurveKind.GAUSSIAN, (0.0, 1.0)), span=SPANS[0])
+FORMULA = Term("s", Formula(Reference("x")), span=SPANS[0])
 
 CASES = {
     "FCL407": (
@@ -32,8 +33,12 @@ CASES = {
         "base points of `x` exceed what binary64 can carry",
     ),
     "FCL408": (
-        block({"x": INPUT}, (output("y", CURVE),), RULES),
+        block({"x": INPUT}, (output("y", FORMULA),), RULES),
         "`s` of `y` has a shape that is not evaluated yet",
+    ),
+    "FCL412": (
+        block({"x": INPUT}, (output("y", CURVE, method=Method.COG),), RULES),
+        "`s` of `y` is a smooth shape, and `y` has no RANGE",
     ),
     "FCL410": (
         block({"x": INPUT}, (PLAIN,), replace(RULES, accumulation=Accumulation.SUM, span=SPANS[0])),

@@ -69,8 +69,14 @@ EXAMPLES = {
     "weight": [[(THEN, f"{THEN} WITH 0.5")], [INPUT, (THEN, f"{THEN} WITH x")]],
     "more points": cold("(0, 0) (3, 1) (9, 1) (27, 0) (30, 0)"),
     "degrees": cold("(3, 0.5) (27, 0)"),
-    "shape": cold("TRIAN 0 3 27", "Rectangle 3 27", "GAUSS 3 7", "Cosine 3 7"),
-    "singletons": cold("SINGLETONS (3, 1) (4, 0.5)", "3"),
+    "shape": [
+        *cold("TRIAN 0 3 27", "Rectangle 3 27", "GAUSS 3 7", "Cosine 3 7"),
+        [*AREAS, ("(50, 0) (100, 1)", "GAUSS 100 20")],
+    ],
+    "singletons": [
+        *cold("SINGLETONS (3, 1) (4, 0.5)", "3"),
+        [("TERM inlet := 100", "TERM inlet := SINGLETONS (90, 1) (100, 0.5)")],
+    ],
     "formula": [[("TERM inlet := 100", "TERM inlet := FUNCTION temp + 3")]],
     "norm": [
         *([("AND: MIN", f"AND: {each}")] for each in ("HPROD", "EPROD", "DPROD", "NMIN")),

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from fcl_sim.block import loads
 from fcl_sim.loop.trace import FuzzyRecord
-from fcl_sim.model import Point, Points, Singleton, Term
+from fcl_sim.model import Curve, CurveKind, Point, Points, Singleton, Singletons, Term
 from fcl_sim.report.characteristics import memberships
 from fcl_sim.report.memberships import Panel, Visit, membership_plot, panels
 from fcl_sim.report.terms import abscissae, extent, settled
@@ -124,3 +124,29 @@ def test_many_variables_take_several_figures():
     text = THREE_INPUTS.replace("c: REAL;", "c: REAL; d: REAL; e: REAL;")
     many = loads(text.replace("DEFUZZIFY u", f"{more}DEFUZZIFY u", 1))
     assert [each.name for each in memberships(many, {}, "terms")] == ["terms-1", "terms-2"]
+
+
+def test_a_smooth_curve_is_drawn_where_it_can_be_seen():
+    term = Term("t", Curve(CurveKind.GAUSSIAN, ("m", 2.0), 0.5))
+    points = settled(term, {"m": 3.0}).shape.points
+    assert extent([term], {"m": 3.0}) == (-3.0, 9.0)
+    assert (points[0].x, points[-1].x) == (-3.0, 9.0)
+    assert max(points, key=lambda point: point.degree) == Point(3.0, 0.5)
+    assert points[0].degree < 0.01
+
+
+@pytest.mark.parametrize("kind", CurveKind)
+def test_a_curve_of_any_kind_is_seen_between_two_places(kind):
+    term = Term("t", Curve(kind, (1.0, 2.0, 3.0, 4.0)))
+    points = settled(term, {}).shape.points
+    low, high = extent([term], {})
+    assert low < high
+    assert max(point.degree for point in points) > 0.5
+
+
+def test_single_values_are_drawn_as_stems_of_their_degrees():
+    term = Term("t", Singletons((Point("m", 0.5), Point(1.0, 1.0))))
+    assert settled(term, {"m": 3.0}).shape == Points(
+        (Point(1.0, 0.0), Point(1.0, 1.0), Point(1.0, 0.0), Point(3.0, 0.0), Point(3.0, 0.5), Point(3.0, 0.0))
+    )
+    assert extent([term], {"m": 3.0}) == (1.0, 3.0)
