@@ -19,7 +19,7 @@ def conjunction(operator: int, a: float, not_a: float, b: float, not_b: float) -
     if operator == AND_MIN:
         return minimum(a, b), maximum(not_a, not_b)
     if operator == AND_PROD:
-        return a * b, not_a + a * not_b
+        return a * b, minimum(1.0, not_a + a * not_b)
     if operator != AND_BDIF:
         return open_conjunction(operator, a, not_a, b, not_b)
     difference = a - not_b if a < b else b - not_a
