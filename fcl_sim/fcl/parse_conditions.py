@@ -9,7 +9,7 @@ from fcl_sim.fcl.tokens import Kind, Token
 from fcl_sim.fcl.tree import And, Condition, Group, Is, Member, Not, Or
 
 DEEPEST = 50
-"""Parentheses within one another, and NOT before one another: what is deeper is refused."""
+"""Parentheses and NOT within one another: what is deeper is refused."""
 
 _AFTER_VARIABLE = frozenset(("IS", "=", ".", "AND", "OR", "THEN", ")"))
 _AFTER_TERM = frozenset(("AND", "OR", "THEN", ")"))
@@ -77,7 +77,7 @@ def _prefixes(cursor: Cursor, levels: list[_Level]) -> None:
             levels[-1].negations.append(token)
         else:
             return
-        if len(levels) - 1 > DEEPEST or len(levels[-1].negations) > DEEPEST:
+        if len(levels) - 1 + sum(len(each.negations) for each in levels) > DEEPEST:
             raise cursor.refuse("FCL208", f"this condition is nested more than {DEEPEST} levels deep", token)
         cursor.advance()
 

@@ -193,6 +193,16 @@ def test_parentheses_stand_where_table_6_needs_them(rule, written):
     assert written_rule(rule) == written
 
 
+def test_the_deepest_condition_that_is_read_is_written():
+    prefix = ("NOT " * 9 + "(") * 5
+    rule = f"RULE 1: IF {prefix}temp IS cold OR temp IS hot{')' * 5} THEN valve IS inlet;"
+    text = fcl.write(block(with_rule(rule)))
+    assert f"IF {'NOT ' * 45}(temp IS cold OR temp IS hot)" in " ".join(text.split())
+    assert block(text) == block(with_rule(rule))
+    (finding,) = fcl.read(with_rule(rule.replace("IF NOT", "IF NOT NOT"))).errors
+    assert finding.message == "this condition is nested more than 50 levels deep"
+
+
 def test_a_long_rule_is_broken_before_its_operators():
     alternatives = " OR ".join(["temp IS cold AND level IS low AND NOT (temp IS hot OR level IS high)"] * 2)
     assert (
