@@ -90,7 +90,6 @@ CODES: dict[str, str] = {
     "FCL407": "a number is too large, or a slope too flat",
     "FCL408": "a shape of the Open Level is not evaluated by this version",
     "FCL410": "an algorithm of the Open Level is not evaluated by this version",
-    "FCL411": "a setting of the Open Level is not evaluated by this version",
     "FCL412": "an output with smooth shapes has no RANGE",
     "FCL421": "there is no function block",
     "FCL422": "there are several function blocks",

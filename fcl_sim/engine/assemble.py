@@ -20,6 +20,7 @@ from fcl_sim.engine.plan_areas import points_of
 from fcl_sim.engine.program import Layout, Program
 from fcl_sim.engine.refuse import refuse
 from fcl_sim.engine.straighten import straightened
+from fcl_sim.engine.switches import switched
 from fcl_sim.model import Curve, FunctionBlock, Variable
 
 
@@ -29,7 +30,7 @@ def assemble(block: FunctionBlock) -> Program:
     Raises InputFault, with every place, for what cannot be evaluated (FCL4xx).
     """
     refuse(block)
-    block = straightened(block)
+    block = straightened(switched(block))
     own = plan(block)
     codes = [code_of(rule_block, rule, own) for rule_block in block.rule_blocks for rule in rule_block.rules]
     buffers = Buffers()
@@ -138,22 +139,35 @@ def _moves(buffers: Buffers, own: Plan) -> int:
         if isinstance(each.term.shape, Curve):
             return _curve(buffers, own, each, each.term.shape)
         points = points_of(each.term)
-        head = [own.inputs[each.variable], each.slot, each.complement, len(points)]
-        return [*head, *buffers.spots(own, points)]
+        return [*_head(buffers, own, each), len(points), *buffers.spots(own, points)]
 
     return buffers.put(word for each in [record(moved) for moved in own.moved] for word in each)
+
+
+def _head(buffers: Buffers, own: Plan, moved: Moved) -> list[int]:
+    return [own.inputs[moved.variable], moved.slot, moved.complement, buffers.put_floats(moved.limits)]
 
 
 def _curve(buffers: Buffers, own: Plan, moved: Moved, curve: Curve) -> list[int]:
     """Return the record of a term that is a smooth curve."""
     spare = [0] * (PARAMETERS - len(curve.parameters))
-    head = [own.inputs[moved.variable], moved.slot, moved.complement, -1 - CODES[curve.kind]]
     sources = [buffers.source(own, each) for each in curve.parameters]
-    return [*head, buffers.constant(curve.height), *sources, *spare]
+    return [
+        *_head(buffers, own, moved),
+        -1 - CODES[curve.kind],
+        buffers.constant(curve.height),
+        *sources,
+        *spare,
+    ]
 
 
 def _initial(block: FunctionBlock, size: int) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    before = {each.variable.casefold(): each.default for each in block.defuzzifications if each.held}
+
     def value(variable: Variable) -> float:
+        first = before.get(variable.name.casefold())
+        if first is not None:
+            return first
         return 0.0 if variable.initial is None else float(variable.initial)
 
     memory = np.zeros(size)

@@ -20,6 +20,7 @@ METHODS = {
     Method.LM: p.METHOD_LM,
     Method.RM: p.METHOD_RM,
     Method.MM: p.METHOD_MM,
+    Method.SUM: p.METHOD_SUM,
 }
 
 
@@ -43,7 +44,7 @@ def put_outputs(
             room += taken
         else:
             record = _without_area(buffers, own, name, by_name.get(name))
-        records += [value, active, *record]
+        records += [value, active, *record, _output_limits(buffers, by_name.get(name))]
     return buffers.put(records), results, room
 
 
@@ -56,13 +57,30 @@ def _without_area(buffers: Buffers, own: Plan, name: str, output: Defuzzificatio
         return p.BY_DEGREE, terms, buffers.put_floats([0.0] * (terms + 1)), at, groups, kinds, 0, 0, 0
     values = [term.shape.value for term in output.terms if isinstance(term.shape, Singleton)]
     spare = [0.0] * (terms - len(values))
-    plain = METHODS[output.method] == p.METHOD_COG and not any(isinstance(value, str) for value in values)
+    moved = any(isinstance(value, str) for value in values)
+    plain = METHODS[output.method] == p.METHOD_COG and not moved and not is_limited(output)
     constants = [0.0 if isinstance(value, str) else value for value in values]
     places = buffers.put_floats([*constants, *spare, _default(output)])
     more = 0 if plain else buffers.put(buffers.source(own, value) for value in [*values, *spare])
     kind = p.BY_COGS if plain else p.BY_SINGLETONS
-    keep = int(output.default is None)
+    keep = int(holds(output))
     return kind, terms, places, at, groups, kinds, keep, METHODS[output.method], more
+
+
+def holds(output: Defuzzification) -> bool:
+    """Return whether the previous value stays while no rule is active."""
+    return output.held or output.default is None
+
+
+def is_limited(output: Defuzzification) -> bool:
+    """Return whether the result is taken no further than the range."""
+    return output.clamped and output.range is not None
+
+
+def _output_limits(buffers: Buffers, output: Defuzzification | None) -> int:
+    if output is None or output.range is None or not is_limited(output):
+        return 0
+    return buffers.put_floats(output.range)
 
 
 def _default(output: Defuzzification) -> float:
@@ -100,7 +118,7 @@ def _with_area(
         room,
     )
     places = buffers.put_floats([_default(output)])
-    keep = int(output.default is None)
+    keep = int(holds(output))
     more = buffers.put(record)
     return (p.BY_AREA, 0, places, 0, 0, 0, keep, METHODS[output.method], more), taken - room
 

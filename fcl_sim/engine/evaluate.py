@@ -50,7 +50,10 @@ def evaluate(
     starts = program.initial
     given = {**inputs, **former}
     names = (*program.input_names, *program.output_names)
-    columns = [finite(name, given.get(name, starts[i])) for i, name in enumerate(names)]
+    columns = [
+        finite(name, given[name]) if name in given else starts[i : i + 1].reshape(())
+        for i, name in enumerate(names)
+    ]
     shape = np.broadcast_shapes(*(column.shape for column in columns))
     stacked = np.empty((len(columns), *shape))
     for i, column in enumerate(columns):

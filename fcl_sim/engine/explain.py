@@ -13,6 +13,7 @@ from fcl_sim.engine.concluded import degree_so_far
 from fcl_sim.engine.entries import evaluate_one
 from fcl_sim.engine.plan_areas import algorithms, conclusions
 from fcl_sim.engine.program import Program
+from fcl_sim.engine.switches import counted
 from fcl_sim.engine.words import condition_formula, condition_text
 from fcl_sim.model import (
     Condition,
@@ -200,7 +201,7 @@ def explain(block: FunctionBlock, program: Program, memory: NDArray[np.float64])
     that the evaluation leaves behind.
     """
     evaluate_one(program.ints, program.floats, memory)
-    reading = _Reading(block, program, memory)
+    reading = _Reading(counted(block), program, memory)
     return Explanation(
         name=block.name,
         fuzzified=tuple(_fuzzified(reading)),
@@ -279,7 +280,7 @@ def _defuzzified(reading: _Reading) -> Iterator[Defuzzified]:
         output = defined.get(name.casefold())
         value = float(reading.memory[program.outputs_at + index])
         if output is not None:
-            fallback = Origin.PREVIOUS if output.default is None else Origin.DEFAULT
+            fallback = Origin.PREVIOUS if output.held or output.default is None else Origin.DEFAULT
             active = reading.memory[program.active_at + index] != 0.0
             yield Defuzzified(
                 variable=output.variable,

@@ -17,6 +17,7 @@ from fcl_sim.engine.program import (
     MOVE,
     MOVE_COUNT,
     MOVE_INPUT,
+    MOVE_LOW,
     MOVE_NOT,
     MOVE_SLOT,
     MOVE_SPOTS,
@@ -51,13 +52,13 @@ def abscissa(source: int, floats: Floats, origin: int, memory: Floats, base: int
 
 @flat
 def fuzzify_curve(
-    ints: Ints, floats: Floats, origin: int, record: int, memory: Floats, base: int
+    ints: Ints, floats: Floats, origin: int, record: int, x: float, memory: Floats, base: int
 ) -> tuple[float, float]:
     """Return the degree, and 1 minus it, of a term that is a smooth curve."""
     a = record + CURVE_PARAMETER
     return curve_degree(
         -1 - ints[u(record + MOVE_COUNT)],
-        minimum(LARGEST, maximum(-LARGEST, memory[u(base + ints[u(record + MOVE_INPUT)])])),
+        minimum(LARGEST, maximum(-LARGEST, x)),
         abscissa(ints[u(a)], floats, origin, memory, base),
         abscissa(ints[u(a + 1)], floats, origin, memory, base),
         abscissa(ints[u(a + 2)], floats, origin, memory, base),
@@ -72,13 +73,15 @@ def fuzzify_moved(ints: Ints, floats: Floats, at: int, memory: Floats, base: int
     origin = ints[u(at + FLOATS)]
     record = at + ints[u(at + MOVE)]
     for _ in range(ints[u(at + MOVED)]):
+        ends = origin + ints[u(record + MOVE_LOW)]
+        x = memory[u(base + ints[u(record + MOVE_INPUT)])]
+        x = minimum(floats[u(ends + 1)], maximum(floats[u(ends)], x))
         if ints[u(record + MOVE_COUNT)] < 0:
-            degree, complement = fuzzify_curve(ints, floats, origin, record, memory, base)
+            degree, complement = fuzzify_curve(ints, floats, origin, record, x, memory, base)
             memory[u(base + ints[u(record + MOVE_SLOT)])] = degree
             memory[u(base + ints[u(record + MOVE_NOT)])] = complement
             record += CURVE_SIZE
             continue
-        x = memory[u(base + ints[u(record + MOVE_INPUT)])]
         count = ints[u(record + MOVE_COUNT)]
         spots = record + MOVE_SPOTS
         before = after = -inf

@@ -3,11 +3,13 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 
 from fcl_sim.engine.conditions import Leaf, has_complements, leaves
 from fcl_sim.engine.grid import Base, Function
 from fcl_sim.engine.plan_areas import AreaPlan, algorithms, conclusions, grouped, plan_area, points_of
 from fcl_sim.engine.program import MASK_BITS
+from fcl_sim.engine.switches import is_fixed, limits_of
 from fcl_sim.model import (
     Accumulation,
     Defuzzification,
@@ -44,12 +46,16 @@ class Accumulator:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """A term of an input with moved points or a curve, and the slots of its degree and of 1 minus it."""
+    """A term of an input with moved points or a curve, and the slots of its degree and of 1 minus it.
+
+    `limits` are the ends of where the variable is taken.
+    """
 
     variable: str
     term: Term
     slot: int
     complement: int
+    limits: tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +100,7 @@ def plan(block: FunctionBlock) -> Plan:
     at = degrees + rules
     used = _used(block)
     functions = {}
-    moving: list[tuple[Leaf, Term]] = []
+    moving: list[tuple[Leaf, Term, tuple[float, float]]] = []
     for each in block.fuzzifications:
         if each.variable.casefold() in inputs:
             own, others = _functions(each, used)
@@ -103,7 +109,7 @@ def plan(block: FunctionBlock) -> Plan:
             taken = [*(leaf for leaf, _ in own), *_pairs(leaf for leaf, _ in others)]
             slots.update((leaf, at + i) for i, leaf in enumerate(taken))
             at += len(taken)
-            moving += others
+            moving += [(*other, limits_of(block, each) or (-inf, inf)) for other in others]
     brought = _brought(block, used)
     taken = _pairs(Leaf(name, None) for name in brought)
     slots.update((leaf, at + i) for i, leaf in enumerate(taken))
@@ -127,7 +133,10 @@ def plan(block: FunctionBlock) -> Plan:
         rules=rules,
         slots=slots,
         functions={name: own for name, own in functions.items() if own},
-        moved=tuple(Moved(leaf.variable, term, slots[leaf], slots[leaf.complement]) for leaf, term in moving),
+        moved=tuple(
+            Moved(leaf.variable, term, slots[leaf], slots[leaf.complement], limits)
+            for leaf, term, limits in moving
+        ),
         brought=brought,
         accumulators=accumulators,
         areas=areas,
@@ -166,17 +175,12 @@ def _functions(
 ) -> tuple[list[tuple[Leaf, Function]], list[tuple[Leaf, Term]]]:
     """Return the terms of an input and the complements that conditions use; and curves and moved terms."""
     variable = fuzzification.variable.casefold()
-    moved = [term for term in fuzzification.terms if not _is_fixed(term)]
+    moved = [term for term in fuzzification.terms if not is_fixed(term)]
     bases = [(term.name.casefold(), base_of(term)) for term in fuzzification.terms if term not in moved]
     plain = [(Leaf(variable, term), Function(base)) for term, base in bases]
     negated = [(Leaf(variable, term, negated=True), Function(base, negated=True)) for term, base in bases]
     own = plain + [(leaf, function) for leaf, function in negated if leaf in used]
     return own, [(Leaf(variable, term.name.casefold()), term) for term in moved]
-
-
-def _is_fixed(term: Term) -> bool:
-    """Return whether a term has base points that are constant."""
-    return isinstance(term.shape, Points) and not any(isinstance(each.x, str) for each in term.shape.points)
 
 
 def base_of(term: Term) -> Base:

@@ -52,6 +52,7 @@ Record of a moved term of an input (i), of varying length:
     MOVE_INPUT    (m) the variable
     MOVE_SLOT     (m) its degree
     MOVE_NOT      (m) 1 minus its degree
+    MOVE_LOW      (f) the ends of where the variable is taken
     MOVE_COUNT    number of points
     … points, SPOT_SIZE words each: SPOT_X, a source; SPOT_DEGREE (f)
 or of a curve (i), CURVE_SIZE words, where MOVE_COUNT is -1 - its kind (arithmetic.curves):
@@ -87,8 +88,9 @@ Output record (i):
                   0: one, by MAX, with nothing to finish
     OUT_KINDS     (i) the algorithm of each: GROUP_MAX, GROUP_BSUM or GROUP_NSUM
     OUT_KEEP      1: NC, the previous value stays when no rule is active; 0: the DEFAULT is taken
-    OUT_METHOD    METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM or METHOD_MM
+    OUT_METHOD    METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM or METHOD_SUM
     OUT_MORE      (i) BY_SINGLETONS: a source for each place; BY_AREA: the area record
+    OUT_LIMITS    (f) where the result is taken no further than a range: its two ends; else 0
 
 Area record (i):
     AREA_LOW      (f) the lower and the upper limit of the range
@@ -148,8 +150,8 @@ from numpy.typing import NDArray
 
 GRID_INPUT, GRID_COUNT, GRID_KNOTS, GRID_WIDTH, GRID_ROWS, GRID_SEGMENTS, GRID_SIZE = range(7)
 BRING_INPUT, BRING_SLOT, BRING_NOT, BRING_SIZE = range(4)
-MOVE_INPUT, MOVE_SLOT, MOVE_NOT, MOVE_COUNT, MOVE_SPOTS = range(5)
-CURVE_HEIGHT, CURVE_PARAMETER, CURVE_SIZE = 4, 5, 9
+MOVE_INPUT, MOVE_SLOT, MOVE_NOT, MOVE_LOW, MOVE_COUNT, MOVE_SPOTS = range(6)
+CURVE_HEIGHT, CURVE_PARAMETER, CURVE_SIZE = 5, 6, 10
 SPOT_X, SPOT_DEGREE, SPOT_SIZE = range(3)
 RULE_KIND, RULE_LENGTH, RULE_THEN, RULE_DEGREE, RULE_BODY = range(5)
 THEN_DEGREE, THEN_SUM, THEN_WEIGHT, THEN_SIZE = range(4)
@@ -166,8 +168,9 @@ LOOK_TERM, LOOK_TERMS, LOOK_DEGREES, LOOK_GROUPS, LOOK_KINDS, LOOK_SIZE = range(
     OUT_KEEP,
     OUT_METHOD,
     OUT_MORE,
+    OUT_LIMITS,
     OUTPUT_SIZE,
-) = range(12)
+) = range(13)
 (
     AREA_LOW,
     AREA_HULL,
@@ -192,7 +195,7 @@ OR_MAX, OR_ASUM, OR_BSUM, OR_HSUM, OR_ESUM, OR_DSUM, OR_NMAX = range(-9, -16, -1
 ONE, VERY, EXTREMELY, SOMEWHAT, SELDOM, LOOK = range(-16, -22, -1)
 GROUP_MAX, GROUP_BSUM, GROUP_NSUM = range(3)
 BY_COGS, BY_DEGREE, BY_SINGLETONS, BY_AREA = range(4)
-METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM = range(5)
+METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM, METHOD_SUM = range(6)
 
 MASK_BITS = 32
 DE_BRUIJN = 0x077CB531

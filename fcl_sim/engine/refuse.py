@@ -28,7 +28,6 @@ HINTS = {
     "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
     "FCL408": "give base points or curves, or for outputs single values",
     "FCL410": "take the algorithms of Tables 3, 4 and 5",
-    "FCL411": "leave the setting out",
     "FCL412": "give the output a RANGE, such as RANGE := (0 .. 100);",
 }
 
@@ -59,9 +58,6 @@ def refuse(block: FunctionBlock) -> None:
 
 def _findings(block: FunctionBlock) -> Iterator[Finding]:
     for fuzzification in block.fuzzifications:
-        if fuzzification.clamped or not fuzzification.enabled:
-            message = f"LOCK or ENABLED of `{fuzzification.variable}` is not evaluated yet"
-            yield "FCL411", message, fuzzification.span
         for term in fuzzification.terms:
             yield from _input_term(fuzzification, term)
     for defuzzification in block.defuzzifications:
@@ -120,10 +116,8 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
         yield "FCL407", f"RANGE of `{name}` exceeds what binary64 can carry", output.span
     if output.accumulation is not None and output.accumulation not in EVALUATED:
         yield "FCL410", f"{output.accumulation} is not evaluated yet", output.span
-    if output.method is Method.SUM:
-        yield "FCL410", f"METHOD {output.method} is not evaluated yet", output.span
-    if output.held or output.clamped or not output.enabled:
-        yield "FCL411", f"LOCK or ENABLED of `{name}` is not evaluated yet", output.span
+    if output.method is Method.SUM and any(isinstance(each.shape, Points | Curve) for each in output.terms):
+        yield "FCL410", f"METHOD {output.method} of areas is not evaluated yet", output.span
 
 
 def _output_curve(output: Defuzzification, term: Term, curve: Curve) -> Iterator[Finding]:
@@ -141,5 +135,3 @@ def _rule_block(block: RuleBlock) -> Iterator[Finding]:
     for chosen in (block.activation, block.accumulation):
         if chosen not in EVALUATED:
             yield "FCL410", f"{chosen} is not evaluated yet", block.span
-    if not block.enabled:
-        yield "FCL411", f"ENABLED of the rule block `{block.name}` is not evaluated yet", block.span

@@ -16,8 +16,10 @@ from fcl_sim.engine.program import (
     METHOD_COG,
     METHOD_LM,
     METHOD_RM,
+    METHOD_SUM,
     OUT_DEGREES,
     OUT_KIND,
+    OUT_LIMITS,
     OUT_METHOD,
     OUT_MORE,
     OUT_TERMS,
@@ -33,6 +35,19 @@ def settle(
     ints: Ints, floats: Floats, at: int, output: int, memory: Floats, base: int
 ) -> tuple[float, float]:
     """Return the value of an output, and a number that is 0 where no rule is active for it."""
+    value, weight = result(ints, floats, at, output, memory, base)
+    limits = ints[u(output + OUT_LIMITS)]
+    if limits != 0:
+        ends = ints[u(at + FLOATS)] + limits
+        value = minimum(floats[u(ends + 1)], maximum(floats[u(ends)], value))
+    return value, weight
+
+
+@flat
+def result(
+    ints: Ints, floats: Floats, at: int, output: int, memory: Floats, base: int
+) -> tuple[float, float]:
+    """Return the value of an output before its limits, and the number of `settle`."""
     kind = ints[u(output + OUT_KIND)]
     degrees = base + ints[u(output + OUT_DEGREES)]
     method = ints[u(output + OUT_METHOD)]
@@ -49,14 +64,17 @@ def settle(
         top = maximum(top, memory[u(degrees + term)])
     if total == 0.0:
         return 0.0, 0.0
-    centre, left, right = 0.0, inf, -inf
+    centre, added, left, right = 0.0, 0.0, inf, -inf
     for term in range(terms):
         place = abscissa(ints[u(more + term)], floats, origin, memory, base)
         degree = memory[u(degrees + term)]
         centre += place * (degree / total)
+        added += place * degree
         if degree >= TIE * top:
             left, right = minimum(left, place), maximum(right, place)
     if method == METHOD_COG:
         return centre, total
+    if method == METHOD_SUM:
+        return added, total
     both = 0.5 * left + 0.5 * right
     return left if method == METHOD_LM else right if method == METHOD_RM else both, total

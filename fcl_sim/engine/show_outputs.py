@@ -12,6 +12,7 @@ METHODS = {
     p.METHOD_LM: "LM",
     p.METHOD_RM: "RM",
     p.METHOD_MM: "MM",
+    p.METHOD_SUM: "COGSS",
 }
 
 Names = Mapping[int, str]
@@ -40,6 +41,9 @@ def outputs_text(program: Program, names: Names) -> Iterator[str]:
     for index, name in enumerate(program.output_names):
         output = ints[ints[p.OUTPUT] + index * p.OUTPUT_SIZE :][: p.OUTPUT_SIZE].tolist()
         default = "NC" if output[p.OUT_KEEP] else f"{floats[output[p.OUT_PLACES] + output[p.OUT_TERMS]]:g}"
+        if output[p.OUT_LIMITS]:
+            low, high = floats[output[p.OUT_LIMITS] :][:2]
+            default += f", result within {low:g} .. {high:g}"
         if output[p.OUT_KIND] == p.BY_AREA:
             method = METHODS[output[p.OUT_METHOD]]
             yield f"  {name}: {method}, {_limits(output[p.OUT_MORE], program)}, DEFAULT {default}"

@@ -3,12 +3,12 @@
 from dataclasses import replace
 
 from fcl_sim.engine.smooth import polyline
+from fcl_sim.engine.switches import spikes
 from fcl_sim.model import (
     Curve,
     Defuzzification,
     FunctionBlock,
     Fuzzification,
-    Point,
     Points,
     Singletons,
     Term,
@@ -33,12 +33,6 @@ def _input(fuzzification: Fuzzification) -> Fuzzification:
         for term in fuzzification.terms
     )
     return replace(fuzzification, terms=terms)
-
-
-def spikes(shape: Singletons) -> Points:
-    """Return single values as base points: at each, up from 0 and down again (S21)."""
-    points = sorted(shape.points, key=lambda point: float(point.x)) if len(shape.points) > 1 else shape.points
-    return Points(tuple(Point(point.x, degree) for point in points for degree in (0.0, point.degree, 0.0)))
 
 
 def _output(output: Defuzzification) -> Defuzzification:

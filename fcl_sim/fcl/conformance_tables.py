@@ -229,14 +229,14 @@ TABLE_10 = (
         "Hamacher, Einstein, drastic, nilpotent; ACT BDIF; ACCU ASUM, SUM",
         IN_PART,
     ),
-    Row("further method", 10, "further methods of defuzzification", "METHOD", "MM, COGSS", IN_PART),
+    Row("further method", 10, "further methods of defuzzification", "METHOD", "MM, COGSS", "yes (S15)"),
     Row(
         "further default",
         10,
         "default values that are NaN, or that hold the previous output",
         "DEFAULT",
         "nan; number | NC",
-        IN_PART,
+        "yes; with NC the number is given out before the first active rule (S15)",
     ),
     Row(
         "hedge",
@@ -256,8 +256,8 @@ TABLE_10 = (
     ),
     Row("own accumulation", 10, "ACCU of a single output", "ACCU", "inside of DEFUZZIFY", "yes (S8)"),
     Row("input range", 10, "ranges of inputs", "RANGE", "in FUZZIFY, behind a declaration", "yes (S15)"),
-    Row("lock", 10, "outputs held, or kept in their range", "LOCK", "PREVIOUS, RANGE", IN_PART),
-    Row("enabled", 10, "parts that can be switched off", "ENABLED", "TRUE, FALSE", IN_PART),
+    Row("lock", 10, "outputs held, or kept in their range", "LOCK", "PREVIOUS, RANGE", "yes (S15)"),
+    Row("enabled", 10, "parts that can be switched off", "ENABLED", "TRUE, FALSE", "yes (S15)"),
     Row(
         "structure",
         10,

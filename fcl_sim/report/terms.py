@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from fcl_sim.engine.smooth import degrees_at, sight
-from fcl_sim.engine.straighten import spikes
+from fcl_sim.engine.switches import spikes
 from fcl_sim.model import Curve, FunctionBlock, Point, Points, Singleton, Singletons, Term
 
 DRAWN = 65

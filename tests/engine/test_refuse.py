@@ -44,10 +44,6 @@ CASES = {
         block({"x": INPUT}, (PLAIN,), replace(RULES, accumulation=Accumulation.SUM, span=SPANS[0])),
         "SUM is not evaluated yet",
     ),
-    "FCL411": (
-        block({"x": INPUT}, (replace(PLAIN, held=True, span=SPANS[0]),), RULES),
-        "LOCK or ENABLED of `y` is not evaluated yet",
-    ),
 }
 
 
