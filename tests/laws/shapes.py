@@ -98,9 +98,7 @@ def _joined(inner):
     between = st.sampled_from((Operator.MINUS, Operator.OVER, Operator.MODULUS, Operator.POWER))
     return st.one_of(
         st.builds(Operation, between, st.tuples(inner, inner)),
-        st.builds(Operation, joining, several(inner)).filter(
-            _is_read
-        ),
+        st.builds(Operation, joining, several(inner)).filter(_is_read),
         st.builds(Operation, st.just(Operator.MINUS), st.tuples(inner)).filter(_is_read),
         st.builds(Call, st.sampled_from(OF_ONE), st.tuples(inner)),
         st.builds(Call, st.sampled_from((Function.MAX, Function.MIN)), several(inner)),
