@@ -1,6 +1,6 @@
 """`assemble`: FunctionBlock to Program."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import inf, nan
 
 import numpy as np
@@ -8,7 +8,7 @@ import numpy as np
 from fcl_sim.arithmetic.curves import CODES, PARAMETERS
 from fcl_sim.arithmetic.membership import FEW
 from fcl_sim.engine import program as p
-from fcl_sim.engine.assemble_outputs import put_outputs
+from fcl_sim.engine.assemble_outputs import Outputs, put_outputs
 from fcl_sim.engine.assemble_rules import code_of, put_rules
 from fcl_sim.engine.buffers import Buffers
 from fcl_sim.engine.conditions import Leaf, depth
@@ -35,7 +35,7 @@ def assemble(block: FunctionBlock) -> Program:
     codes = [code_of(rule_block, rule, own) for rule_block in block.rule_blocks for rule in rule_block.rules]
     buffers = Buffers()
     stack = 2 * max((depth(code.tokens) for code in codes), default=0)
-    outputs, areas, size = put_outputs(buffers, block, own, own.stack + stack)
+    outputs = put_outputs(buffers, block, own, own.stack + stack)
     summary = summary_words(own.words)
     clear = own.degrees if summary == 0 else own.degrees + own.rules
     cleared = -(-(own.clamps + 1 - clear) // 4) * 4
@@ -52,7 +52,7 @@ def assemble(block: FunctionBlock) -> Program:
         p.MOVE: _moves(buffers, own),
         p.RULE: put_rules(buffers, block, own, codes),
         p.OUTPUTS: len(block.outputs),
-        p.OUTPUT: outputs,
+        p.OUTPUT: outputs.at,
         p.DEGREES: own.degrees,
         p.CLEAR: clear,
         p.CLEARED: cleared,
@@ -67,11 +67,11 @@ def assemble(block: FunctionBlock) -> Program:
         name=block.name,
         ints=np.array(buffers.ints, np.int64),
         floats=np.array(buffers.floats, np.float64),
-        initial=_initial(block, max(size, clear + cleared)),
+        initial=_initial(block, max(outputs.size, clear + cleared)),
         input_names=tuple(each.name for each in block.inputs),
         output_names=tuple(each.name for each in block.outputs),
         rule_labels=unique_labels(block),
-        layout=_layout(own, areas),
+        layout=_layout(own, outputs),
     )
 
 
@@ -176,7 +176,7 @@ def _initial(block: FunctionBlock, size: int) -> np.ndarray[tuple[int], np.dtype
     return memory
 
 
-def _layout(own: Plan, areas: Mapping[str, int]) -> Layout:
+def _layout(own: Plan, outputs: Outputs) -> Layout:
     def slots(*, negated: bool) -> dict[tuple[str, str], int]:
         return {
             (leaf.variable, leaf.term): slot
@@ -198,6 +198,7 @@ def _layout(own: Plan, areas: Mapping[str, int]) -> Layout:
         brought={name: own.slots[Leaf(name, None)] for name in own.brought},
         accumulated=accumulated(finished=True),
         asked=accumulated(finished=False),
-        areas=areas,
+        areas=outputs.areas,
+        places=outputs.places,
         clamps=own.clamps,
     )

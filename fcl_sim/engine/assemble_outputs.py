@@ -1,6 +1,7 @@
 """Outputs become records: how what has accumulated becomes a number."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 
@@ -8,10 +9,11 @@ from fcl_sim.arithmetic.polyline import LEVEL_SIZE, POINT_SIZE, VERTEX_SIZE
 from fcl_sim.engine import program as p
 from fcl_sim.engine.assemble_rules import GROUP_KIND, accumulation
 from fcl_sim.engine.buffers import Buffers, word_source
+from fcl_sim.engine.formulas import depth, postfix
 from fcl_sim.engine.grid import Base
 from fcl_sim.engine.plan import Plan
 from fcl_sim.engine.plan_areas import AreaPlan, Pair, Part, points_of
-from fcl_sim.model import Activation, Defuzzification, FunctionBlock, Method, Singleton
+from fcl_sim.model import Activation, Defuzzification, Formula, FunctionBlock, Method, Singleton, Term
 
 METHODS = {
     Method.COG: p.METHOD_COG,
@@ -24,47 +26,106 @@ METHODS = {
 }
 
 
-def put_outputs(
-    buffers: Buffers, block: FunctionBlock, own: Plan, room: int
-) -> tuple[int, dict[str, int], int]:
-    """Append a record for every output. One that nothing is said about keeps its value.
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """Where the records of outputs begin, and what they take of the memory.
 
-    Return where they begin, the result words of outputs with areas, and how
-    many words of the memory, from `room` on, are taken.
+    `size` is where the memory ends; `areas` are the result words of outputs
+    with areas, `places` those of formulae by variable and term.
+    """
+
+    at: int
+    size: int
+    areas: dict[str, int]
+    places: dict[tuple[str, str], int]
+
+
+def put_outputs(buffers: Buffers, block: FunctionBlock, own: Plan, room: int) -> Outputs:
+    """Append a record for every output; words of the memory are taken from `room` on.
+
+    An output that nothing is said about keeps its value.
     """
     by_name = {each.variable.casefold(): each for each in block.defuzzifications}
     records: list[int] = []
-    results: dict[str, int] = {}
+    areas: dict[str, int] = {}
+    places: dict[tuple[str, str], int] = {}
     for index, variable in enumerate(block.outputs):
         name = variable.name.casefold()
+        output = by_name.get(name)
         value, active = len(own.inputs) + index, len(own.inputs) + len(own.outputs) + index
-        if name in own.areas:
-            record, taken = _with_area(buffers, own, by_name[name], room)
-            results[name] = room
+        if output is not None and name in own.areas:
+            record, taken = _with_area(buffers, own, output, room)
+            areas[name] = room
             room += taken
         else:
-            record = _without_area(buffers, own, name, by_name.get(name))
-        records += [value, active, *record, _output_limits(buffers, by_name.get(name))]
-    return buffers.put(records), results, room
+            formulae = _formulae(output)
+            places |= {(name, term): room + number for number, term in enumerate(formulae)}
+            words, room = _formula_records(buffers, own, formulae, room)
+            record = _without_area(buffers, own, name, output, places, words)
+        records += [value, active, *record, _output_limits(buffers, output)]
+    return Outputs(buffers.put(records), room, areas, places)
 
 
-def _without_area(buffers: Buffers, own: Plan, name: str, output: Defuzzification | None) -> tuple[int, ...]:
+def _formulae(output: Defuzzification | None) -> dict[str, Formula]:
+    """Return the formulae of an output by their terms."""
+    terms = () if output is None else output.terms
+    return {term.name.casefold(): term.shape for term in terms if isinstance(term.shape, Formula)}
+
+
+def _formula_records(
+    buffers: Buffers, own: Plan, formulae: dict[str, Formula], room: int
+) -> tuple[list[int], int]:
+    """Return number and records of formulae, and the next free word; values come first, then the stack."""
+
+    def source(value: float | str) -> int:
+        if isinstance(value, str) and value.casefold() in own.outputs:
+            return word_source(len(own.inputs) + own.outputs[value.casefold()])
+        return buffers.source(own, value)
+
+    codes = [postfix(each.expression, source) for each in formulae.values()]
+    stack = room + len(codes)
+    words = [len(codes)]
+    for number, code in enumerate(codes):
+        words += [room + number, stack, len(code), *code]
+    return words, stack + max(map(depth, codes), default=0)
+
+
+def _without_area(
+    buffers: Buffers,
+    own: Plan,
+    name: str,
+    output: Defuzzification | None,
+    calculated: Mapping[tuple[str, str], int],
+    formulae: Sequence[int],
+) -> tuple[int, ...]:
     """Return the rest of the record of an output with singletons, or with nothing but a degree."""
     if name not in own.accumulators:
         return p.BY_COGS, 0, 0, 0, 0, 0, 1, 0, 0
     terms, at, groups, kinds = accumulation(buffers, own.accumulators[name])
     if output is None:
         return p.BY_DEGREE, terms, buffers.put_floats([0.0] * (terms + 1)), at, groups, kinds, 0, 0, 0
-    values = [term.shape.value for term in output.terms if isinstance(term.shape, Singleton)]
-    spare = [0.0] * (terms - len(values))
-    moved = any(isinstance(value, str) for value in values)
-    plain = METHODS[output.method] == p.METHOD_COG and not moved and not is_limited(output)
-    constants = [0.0 if isinstance(value, str) else value for value in values]
-    places = buffers.put_floats([*constants, *spare, _default(output)])
-    more = 0 if plain else buffers.put(buffers.source(own, value) for value in [*values, *spare])
+
+    def source(term: Term) -> int:
+        if isinstance(term.shape, Singleton):
+            return buffers.source(own, term.shape.value)
+        return word_source(calculated[name, term.name.casefold()])
+
+    spare = [0.0] * (terms - len(output.terms))
+    constants = [_constant(term) for term in output.terms]
+    places = buffers.put_floats([*(each or 0.0 for each in constants), *spare, _default(output)])
+    plain = METHODS[output.method] == p.METHOD_COG and None not in constants and not is_limited(output)
+    sources = [] if plain else [*map(source, output.terms), *map(buffers.constant, spare), *formulae]
+    more = buffers.put(sources)
     kind = p.BY_COGS if plain else p.BY_SINGLETONS
     keep = int(holds(output))
     return kind, terms, places, at, groups, kinds, keep, METHODS[output.method], more
+
+
+def _constant(term: Term) -> float | None:
+    """Return the place of a constant singleton, else None."""
+    if isinstance(term.shape, Singleton) and not isinstance(term.shape.value, str):
+        return term.shape.value
+    return None
 
 
 def holds(output: Defuzzification) -> bool:

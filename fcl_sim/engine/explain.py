@@ -17,7 +17,9 @@ from fcl_sim.engine.switches import counted
 from fcl_sim.engine.words import condition_formula, condition_text
 from fcl_sim.model import (
     Condition,
+    Defuzzification,
     Degree,
+    Formula,
     FunctionBlock,
     Is,
     Not,
@@ -157,6 +159,15 @@ class _Reading:
         """Return a constant, or the value of an input variable."""
         return self.input(value) if isinstance(value, str) else value
 
+    def places(self, output: Defuzzification) -> Iterator[float]:
+        """Yield the places of an output's singletons, calculated ones among them."""
+        for term in output.terms:
+            if isinstance(term.shape, Singleton):
+                yield self.number(term.shape.value)
+            elif isinstance(term.shape, Formula):
+                words = self.program.layout.places
+                yield float(self.memory[words[output.variable.casefold(), term.name.casefold()]])
+
     def weight(self, weight: float | str) -> float:
         return self.degree(Degree(weight), 0) if isinstance(weight, str) else weight
 
@@ -285,11 +296,7 @@ def _defuzzified(reading: _Reading) -> Iterator[Defuzzified]:
             yield Defuzzified(
                 variable=output.variable,
                 method=str(output.method),
-                places=tuple(
-                    reading.number(term.shape.value)
-                    for term in output.terms
-                    if isinstance(term.shape, Singleton)
-                ),
+                places=tuple(reading.places(output)),
                 origin=Origin.RULES if active else fallback,
                 value=value,
             )

@@ -89,8 +89,15 @@ Output record (i):
     OUT_KINDS     (i) the algorithm of each: GROUP_MAX, GROUP_BSUM or GROUP_NSUM
     OUT_KEEP      1: NC, the previous value stays when no rule is active; 0: the DEFAULT is taken
     OUT_METHOD    METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM or METHOD_SUM
-    OUT_MORE      (i) BY_SINGLETONS: a source for each place; BY_AREA: the area record
+    OUT_MORE      (i) BY_SINGLETONS: a source for each place, the number of formulas, their records; BY_AREA:
+                  the area record
     OUT_LIMITS    (f) where the result is taken no further than a range: its two ends; else 0
+
+Formula record (i), a place calculated at each evaluation:
+    FORMULA_VALUE  (m) the place
+    FORMULA_STACK  (m) stack of the postfix code
+    FORMULA_LENGTH number of words of code
+    FORMULA_CODE … two words push a number: FORMULA_PUSH, a source; others are operators (arithmetic.formulas)
 
 Area record (i):
     AREA_LOW      (f) the lower and the upper limit of the range
@@ -185,6 +192,7 @@ LOOK_TERM, LOOK_TERMS, LOOK_DEGREES, LOOK_GROUPS, LOOK_KINDS, LOOK_SIZE = range(
     AREA_RESULT,
     AREA_SIZE,
 ) = range(12)
+FORMULA_VALUE, FORMULA_STACK, FORMULA_LENGTH, FORMULA_CODE = range(4)
 TERM_AT, TERM_END, TERM_COUNT, TERM_SPOTS = range(4)
 PART_TERM, PART_END, PART_PAIRS, PART_PAIR = range(4)
 
@@ -201,6 +209,7 @@ MASK_BITS = 32
 DE_BRUIJN = 0x077CB531
 """Times a power of two below 2**32, bits 27 to 31 of the product tell which one."""
 SEGMENT_SIZE = 3
+FORMULA_PUSH = -1
 LARGEST = 1e300
 """Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
 
@@ -215,8 +224,8 @@ class Layout:
     None) that of an output without terms; `asked` those of other variables that
     conditions ask for, as they are before BSUM and NSUM are finished; `areas`
     by output the two words that hold where its accumulated area begins and
-    ends. `clamps` counts how many of `brought` lay outside [0, 1] in the last
-    evaluation.
+    ends, `places` by (variable, term) what its formula gave. `clamps` counts how many
+    of `brought` lay outside [0, 1] in the last evaluation.
     """
 
     terms: Mapping[tuple[str, str], int]
@@ -225,6 +234,7 @@ class Layout:
     accumulated: Mapping[tuple[str, str | None], int]
     asked: Mapping[tuple[str, str | None], int]
     areas: Mapping[str, int]
+    places: Mapping[tuple[str, str], int]
     clamps: int
 
 

@@ -10,6 +10,7 @@ from fcl_sim.model import (
     Activation,
     Curve,
     Defuzzification,
+    Formula,
     FunctionBlock,
     Fuzzification,
     Method,
@@ -108,6 +109,9 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
         elif isinstance(shape, Points):
             if not _all_hold(shape.points):
                 yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
+        elif isinstance(shape, Formula):
+            if any(isinstance(each.shape, Points | Curve) for each in output.terms):
+                yield "FCL408", f"`{name}` has areas and formulae, which is not evaluated", term.span
         elif not isinstance(shape, Singleton):
             yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
         elif not isinstance(shape.value, str) and not abs(shape.value) < LARGEST:

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from fcl_sim.arithmetic.defuzzify import TIE
 from fcl_sim.arithmetic.operators import maximum, minimum
 from fcl_sim.engine.areas import settle_area
+from fcl_sim.engine.formulas import place_formulas
 from fcl_sim.engine.moving import abscissa
 from fcl_sim.engine.program import (
     BY_AREA,
@@ -64,10 +65,13 @@ def result(
         top = maximum(top, memory[u(degrees + term)])
     if total == 0.0:
         return 0.0, 0.0
+    place_formulas(ints, floats, origin, more + terms, memory, base)
     centre, added, left, right = 0.0, 0.0, inf, -inf
     for term in range(terms):
-        place = abscissa(ints[u(more + term)], floats, origin, memory, base)
         degree = memory[u(degrees + term)]
+        if degree == 0.0:  # what does not count may be no number
+            continue
+        place = abscissa(ints[u(more + term)], floats, origin, memory, base)
         centre += place * (degree / total)
         added += place * degree
         if degree >= TIE * top:

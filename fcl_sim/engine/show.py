@@ -52,6 +52,7 @@ def _names(program: Program) -> dict[int, str]:
         at: f"accumulated {_subject(key)}" for key, at in ({**layout.accumulated, **layout.asked}).items()
     }
     names |= {at: f"area {variable}" for variable, at in layout.areas.items()}
+    names |= {at: f"place {_subject(key)}" for key, at in layout.places.items()}
     return names | {layout.clamps: "clamps"}
 
 

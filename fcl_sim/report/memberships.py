@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fcl_sim.model import FunctionBlock, Point, Singleton, Term
+from fcl_sim.model import Formula, FunctionBlock, Point, Singleton, Term
 from fcl_sim.report import style
 from fcl_sim.report.frame import Tick, draw_frame, ticks
 from fcl_sim.report.terms import REACH, extent, initials, points_of, settled
@@ -60,7 +60,8 @@ def panels(block: FunctionBlock, units: Units | None = None, visits: Visits | No
     described += [(each.variable, each.terms, "output") for each in block.defuzzifications]
     start = initials(block)
     result = []
-    for variable, terms, role in described:
+    for variable, described_terms, role in described:
+        terms = [term for term in described_terms if not isinstance(term.shape, Formula)]
         seen = visits_of.get(variable.casefold(), ())
         low, high = extent(terms, start)
         result.append(

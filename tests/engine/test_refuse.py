@@ -7,7 +7,7 @@ import pytest
 from fcl_sim.diagnostics import InputFault, Source, Span
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.evaluate import evaluate
-from fcl_sim.model import Accumulation, Curve, CurveKind, Formula, Method, Reference, RuleBlock, Term
+from fcl_sim.model import Accumulation, Curve, CurveKind, Method, Point, RuleBlock, Singletons, Term
 from tests.engine.bases import block, every, output, points, rule, singleton
 
 SOURCE = Source("base.fcl", "TERM t := 1;\nTERM u := 2;\n")
@@ -25,7 +25,7 @@ def at(span, term):
 HUGE = output("y", at(SPANS[0], singleton("s", 1e301)), at(SPANS[1], singleton("t", -1e301)))
 FLAT = (at(SPANS[1], points("low", (-9e299, 0), (9e299, 1e-9))),)
 CURVE = Term("s", Curve(CurveKind.GAUSSIAN, (0.0, 1.0)), span=SPANS[0])
-FORMULA = Term("s", Formula(Reference("x")), span=SPANS[0])
+SEVERAL = Term("s", Singletons((Point(1.0, 1.0), Point(2.0, 1.0))), span=SPANS[0])
 
 CASES = {
     "FCL407": (
@@ -33,7 +33,7 @@ CASES = {
         "base points of `x` exceed what binary64 can carry",
     ),
     "FCL408": (
-        block({"x": INPUT}, (output("y", FORMULA),), RULES),
+        block({"x": INPUT}, (output("y", SEVERAL),), RULES),
         "`s` of `y` has a shape that is not evaluated yet",
     ),
     "FCL412": (
