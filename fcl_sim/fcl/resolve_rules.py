@@ -25,8 +25,8 @@ from fcl_sim.model import RuleBlock as ModelRuleBlock
 _PAIRS_OF_OR = {other: one for one, other in PAIRS.items()}
 
 
-def resolve_rule_block(scope: Scope, section: RuleBlock, number: int) -> ModelRuleBlock:
-    """Return a rule block with the rules that can be used; the `number`-th is so named if it has no name."""
+def resolve_rule_block(scope: Scope, section: RuleBlock, name: str) -> ModelRuleBlock:
+    """Return a rule block called `name` with the rules that can be used."""
     settings = settings_by_key(scope, section.settings)
     and_operator, or_operator = _operators(scope, settings)
     activation = algorithm(scope, settings.get("ACT"), ACTIVATIONS) or Activation.MIN
@@ -34,7 +34,7 @@ def resolve_rule_block(scope: Scope, section: RuleBlock, number: int) -> ModelRu
     _check_labels(scope, section.rules)
     resolved = [resolve_rule(scope, each) for each in section.rules]
     return ModelRuleBlock(
-        name=section.name.text if section.name else f"No{number}",
+        name=name,
         and_operator=and_operator,
         or_operator=or_operator,
         activation=activation,

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import count
 
 from fcl_sim.diagnostics import Diagnostic
 from fcl_sim.fcl.findings import Findings
@@ -68,10 +69,11 @@ def _function_block(
     fuzzifications = [resolve_fuzzify(scope, each) for each in sections if isinstance(each, Fuzzify)]
     defuzzifications = [resolve_defuzzify(scope, each) for each in sections if isinstance(each, Defuzzify)]
     written = [each for each in sections if isinstance(each, RuleBlock)]
-    numbered = [resolve_rule_block(scope, each, number) for number, each in enumerate(written, start=1)]
+    names = _rule_block_names(written)
+    named = [resolve_rule_block(scope, each, name) for name, each in zip(names, written, strict=True)]
     _check_names(scope, written)
     outputs = [each for each in defuzzifications if each is not None]
-    rule_blocks, settled = settle(scope, written, numbered, outputs)
+    rule_blocks, settled = settle(scope, written, named, outputs)
     if not (block.damaged or scope.unknown or any(each.damaged for each in written)):
         _check_outputs(scope)
     scope.note_spellings()
@@ -84,7 +86,7 @@ def _function_block(
         defuzzifications=settled,
         rule_blocks=rule_blocks,
         options=tuple(each.text for each in sections if isinstance(each, Options)),
-        structures=_used(scope),
+        structures=tuple(scope.structures.values()),
         span=findings.span(block.heading or block.opening),
     )
 
@@ -99,10 +101,15 @@ def _variables(scope: Scope, role: Role) -> tuple[Variable, ...]:
     return tuple(found)
 
 
-def _used(scope: Scope) -> tuple[Structure, ...]:
-    """Return the structure types that a variable has, in the order of their definition."""
-    used = {each.name for each in scope.instances.values()}
-    return tuple(each for each in scope.structures.values() if each.name in used)
+def _rule_block_names(rule_blocks: list[RuleBlock]) -> list[str]:
+    """Return the names of rule blocks; one without is called No1, No2 and so on, by the next free number."""
+    names = [each.name.text if each.name else "" for each in rule_blocks]
+    taken = {each.upper() for each in names}
+    for place, name in enumerate(names):
+        if not name:
+            names[place] = next(each for n in count(place + 1) if (each := f"No{n}").upper() not in taken)
+            taken.add(names[place].upper())
+    return names
 
 
 def _check_names(scope: Scope, rule_blocks: list[RuleBlock]) -> None:

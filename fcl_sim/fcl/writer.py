@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import takewhile
 
 from fcl_sim.fcl.comments import NO_COMMENTS, Comments
 from fcl_sim.fcl.outline import END, HEAD, OPTIONS, VERBATIM
@@ -26,30 +27,21 @@ def write(
     """
     several = (blocks,) if isinstance(blocks, FunctionBlock) else blocks
     shared = _shared(several)
-    lines = list(structures(shared or (), comments))
+    lines = list(structures(shared, comments))
     foreign = comments.numbers(VERBATIM)
     for block in several:
         head = comments.number(block.span)
         while foreign and head is not None and foreign[0] < head:
             lines.append(_verbatim(comments, foreign.pop(0)))
-        lines += _block(block, block.structures if shared is None else (), comments, terse=terse)
+        lines += _block(block, block.structures[len(shared) :], comments, terse=terse)
     lines += [_verbatim(comments, each) for each in foreign]
     return text_of(lines, comments)
 
 
-def _shared(blocks: Sequence[FunctionBlock]) -> tuple[Structure, ...] | None:
-    """Return all structure types, in an order that suits every block, if no two blocks differ about one.
-
-    Else None: each block then has its own.
-    """
-    found: dict[str, Structure] = {}
-    for block in blocks:
-        for each in block.structures:
-            if found.setdefault(each.name.upper(), each) != each:
-                return None
-    order = list(found.values())
-    places = [[order.index(each) for each in block.structures] for block in blocks]
-    return tuple(order) if all(each == sorted(each) for each in places) else None
+def _shared(blocks: Sequence[FunctionBlock]) -> tuple[Structure, ...]:
+    """Return the structure types with which all blocks begin: they can stand outside, where all see them."""
+    kinds = zip(*(each.structures for each in blocks), strict=False)
+    return tuple(each[0] for each in takewhile(lambda each: each.count(each[0]) == len(each), kinds))
 
 
 def _block(

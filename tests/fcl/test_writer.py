@@ -288,10 +288,25 @@ def test_structure_types_that_blocks_share_stand_before_them():
     one = "FUNCTION_BLOCK one\nVAR_INPUT x: s; END_VAR END_FUNCTION_BLOCK\n"
     two = "FUNCTION_BLOCK two\nVAR_INPUT y: s; END_VAR END_FUNCTION_BLOCK\n"
     assert rewritten(types + one + two).count("STRUCT s\n") == 1
+    inline = one.replace("x: s", "x: s; z: STRUCT b: INT; END_STRUCT")
+    assert rewritten(types + inline + two).count("STRUCT s\n") == 1
     others = types.replace("REAL", "INT") + two
     text = fcl.write((*fcl.read(types + one).blocks, *fcl.read(others).blocks))
     assert text.startswith("FUNCTION_BLOCK one\n\nTYPE\n    STRUCT s\n        a: REAL;\n")
     assert "FUNCTION_BLOCK two\n\nTYPE\n    STRUCT s\n        a: INT;\n" in text
+
+
+def test_a_rule_block_without_a_name_gets_one_that_is_free():
+    unnamed = "RULEBLOCK\nACCU: MAX; RULE 1: IF temp IS hot THEN valve IS inlet; END_RULEBLOCK\n"
+    text = rewritten(BATH.replace("RULEBLOCK No1", f"{unnamed}{unnamed}RULEBLOCK no1"))
+    assert [each.name for each in block(text).rule_blocks] == ["No2", "No3", "no1"]
+
+
+def test_a_structure_type_that_no_variable_has_is_kept():
+    text = rewritten(f"TYPE STRUCT spare a: REAL; END_STRUCT END_TYPE (* later *)\n{BATH}")
+    assert text.startswith(
+        "TYPE\n    STRUCT spare\n        a: REAL;\n    END_STRUCT\nEND_TYPE (* later *)\n\nFUNC"
+    )
 
 
 def test_a_text_with_errors_is_not_written():

@@ -204,7 +204,6 @@ def function_blocks(draw):
     of_inputs, of_outputs, of_local = ([each.name for each in part] for part in (inputs, outputs, local))
     fuzzified = draw(fuzzifications(of_inputs))
     defuzzified = tuple(draw(defuzzification(each, of_inputs, of_outputs)) for each in of_outputs)
-    used = {each.structure for each in inputs}
     return FunctionBlock(
         name=draw(NAMES),
         inputs=inputs,
@@ -214,5 +213,5 @@ def function_blocks(draw):
         defuzzifications=defuzzified,
         rule_blocks=draw(rule_blocks(of_inputs, fuzzified, defuzzified, of_local)),
         options=tuple(f" {each} " for each in draw(st.lists(OPTIONS, max_size=2))),
-        structures=tuple(each for each in types if each.name in used),
+        structures=types,
     )
