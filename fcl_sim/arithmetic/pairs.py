@@ -45,3 +45,9 @@ def open_conjunction(operator: int, a: float, not_a: float, b: float, not_b: flo
         return smaller if minimum(not_a, not_b) == 0.0 else (0.0, 1.0)
     above = a > not_b if a < b else b > not_a
     return smaller if above else (0.0, 1.0)
+
+
+@flat
+def disjunction(operator: int, a: float, b: float) -> float:
+    """Return OR of two degrees by the S-norm of the T-norm `operator`, from rounded complements."""
+    return conjunction(operator, 1.0 - a, a, 1.0 - b, b)[1]

@@ -6,6 +6,7 @@ from fcl_sim.engine import program as p
 from fcl_sim.engine.buffers import Buffers
 from fcl_sim.engine.conditions import (
     AND_CODE,
+    NORM_CODE,
     OR_CODE,
     Leaf,
     Look,
@@ -23,6 +24,8 @@ GROUP_KIND = {
     Accumulation.MAX: p.GROUP_MAX,
     Accumulation.BSUM: p.GROUP_BSUM,
     Accumulation.NSUM: p.GROUP_NSUM,
+    Accumulation.SUM: p.GROUP_SUM,
+    **dict.fromkeys(NORM_CODE, p.GROUP_NORM),
 }
 
 
@@ -94,6 +97,13 @@ def accumulation(buffers: Buffers, accumulator: Accumulator) -> tuple[int, int, 
     return accumulator.count, accumulator.at, groups, kinds
 
 
+def _how(kind: Accumulation) -> int:
+    """Return by what a word accumulates (program.py, THEN_SUM)."""
+    if kind in NORM_CODE:
+        return NORM_CODE[kind] + p.AND_MIN - p.OR_MAX
+    return int(kind is not Accumulation.MAX)
+
+
 def _then(
     buffers: Buffers, own: Plan, place: tuple[int, int, int], conclusion: Conclusion
 ) -> list[tuple[int, int, int]]:
@@ -107,5 +117,5 @@ def _then(
     if variable in own.accumulators:
         accumulator = own.accumulators[variable]
         word = accumulator.word(place[0], conclusion.term)
-        then.append((word, int(accumulator.summed(place[0])), weight))
+        then.append((word, _how(accumulator.kind(place[0])), weight))
     return then

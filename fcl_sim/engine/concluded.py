@@ -2,7 +2,10 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
 
+from fcl_sim.engine.conditions import NORM_CODE, OPERATORS
 from fcl_sim.engine.plan_areas import algorithms, conclusions, grouped
 from fcl_sim.model import Accumulation, FunctionBlock
 
@@ -58,6 +61,10 @@ def _accumulated(kind: Accumulation, term: str | None, members: Sequence[Conclud
     own = [each.degree for each in members if each.term == term]
     if kind is Accumulation.MAX:
         return max(own, default=0.0)
+    if kind is Accumulation.SUM:
+        return sum(own)
+    if kind in NORM_CODE:
+        return float(reduce(OPERATORS[NORM_CODE[kind]], map(Fraction, own), Fraction(0)))
     if kind is Accumulation.BSUM:
         return min(1.0, sum(own))
     sums: dict[str | None, float] = {}

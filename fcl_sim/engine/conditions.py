@@ -13,7 +13,19 @@ from fractions import Fraction
 
 from fcl_sim.diagnostics import Span
 from fcl_sim.engine import program as p
-from fcl_sim.model import And, AndOperator, Condition, Degree, Hedge, Is, Not, Or, OrOperator, RuleBlock
+from fcl_sim.model import (
+    Accumulation,
+    And,
+    AndOperator,
+    Condition,
+    Degree,
+    Hedge,
+    Is,
+    Not,
+    Or,
+    OrOperator,
+    RuleBlock,
+)
 
 Bounds = tuple[Fraction, Fraction]
 
@@ -31,6 +43,14 @@ OR_CODE = dict(
         strict=True,
     )
 )
+NORM_CODE = {
+    Accumulation.ASUM: p.OR_ASUM,
+    Accumulation.HSUM: p.OR_HSUM,
+    Accumulation.ESUM: p.OR_ESUM,
+    Accumulation.DSUM: p.OR_DSUM,
+    Accumulation.NMAX: p.OR_NMAX,
+}
+"""Accumulations that are an OR, applied again and again."""
 HEDGE_CODE = {
     Hedge.VERY: p.VERY,
     Hedge.EXTREMELY: p.EXTREMELY,

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from fcl_sim.arithmetic.defuzzify import moments_of_singletons
 from fcl_sim.arithmetic.membership import cell_of, degree_on
 from fcl_sim.arithmetic.operators import clamped, maximum, minimum
+from fcl_sim.arithmetic.pairs import disjunction
 from fcl_sim.engine.aggregate import aggregate
 from fcl_sim.engine.moving import fuzzify_moved, sourced
 from fcl_sim.engine.program import (
@@ -196,10 +197,13 @@ def conclude(
         if source != 0:
             weighted = sourced(source, floats, origin, memory, base) * degree
         target = base + ints[u(then + THEN_DEGREE)]
-        if ints[u(then + THEN_SUM)] == 0:
+        how = ints[u(then + THEN_SUM)]
+        if how == 0:
             memory[u(target)] = maximum(memory[u(target)], weighted)
-        else:
+        elif how > 0:
             memory[u(target)] += weighted
+        else:
+            memory[u(target)] = disjunction(how, memory[u(target)], weighted)
         then += THEN_SIZE
 
 

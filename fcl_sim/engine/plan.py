@@ -39,9 +39,9 @@ class Accumulator:
         """Return where conclusions of a rule block on a term accumulate."""
         return self.at + self.group_of[rule_block] * self.count + self.words[term and term.casefold()]
 
-    def summed(self, rule_block: int) -> bool:
-        """Return whether they accumulate by a sum."""
-        return self.kinds[self.group_of[rule_block]] is not Accumulation.MAX
+    def kind(self, rule_block: int) -> Accumulation:
+        """Return the algorithm by which they accumulate."""
+        return self.kinds[self.group_of[rule_block]]
 
 
 @dataclass(frozen=True, slots=True)

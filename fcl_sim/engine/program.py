@@ -69,7 +69,8 @@ Rule record (i), of varying length:
                   record (i) of what to push
     … conclusions, THEN_SIZE words each:
     THEN_DEGREE   (m) the accumulated degree
-    THEN_SUM      0: accumulate by MAX; 1: sum (BSUM and NSUM are finished with the output)
+    THEN_SUM      0: accumulate by MAX; 1: sum (BSUM and NSUM are finished with the output); below 0: by the
+                  S-norm of which this is the T-norm, AND_PROD and so on
     THEN_WEIGHT   a source
 
 Look record (i), a degree that the rules before have accumulated (S27a, S29):
@@ -86,7 +87,7 @@ Output record (i):
     OUT_DEGREES   (m) accumulated degrees: OUT_GROUPS times OUT_TERMS; the first group takes the result
     OUT_GROUPS    accumulations: more than one only where rule blocks disagree on ACCU (S26);
                   0: one, by MAX, with nothing to finish
-    OUT_KINDS     (i) the algorithm of each: GROUP_MAX, GROUP_BSUM or GROUP_NSUM
+    OUT_KINDS     (i) the algorithm of each: GROUP_MAX, GROUP_BSUM, GROUP_NSUM, GROUP_SUM or GROUP_NORM
     OUT_KEEP      1: NC, the previous value stays when no rule is active; 0: the DEFAULT is taken
     OUT_METHOD    METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM or METHOD_SUM
     OUT_MORE      (i) BY_SINGLETONS: a source for each place, the number of formulas, their records; BY_AREA:
@@ -201,7 +202,7 @@ NOT = -1
 AND_MIN, AND_PROD, AND_BDIF, AND_HPROD, AND_EPROD, AND_DPROD, AND_NMIN = range(-2, -9, -1)
 OR_MAX, OR_ASUM, OR_BSUM, OR_HSUM, OR_ESUM, OR_DSUM, OR_NMAX = range(-9, -16, -1)
 ONE, VERY, EXTREMELY, SOMEWHAT, SELDOM, LOOK = range(-16, -22, -1)
-GROUP_MAX, GROUP_BSUM, GROUP_NSUM = range(3)
+GROUP_MAX, GROUP_BSUM, GROUP_NSUM, GROUP_SUM, GROUP_NORM = range(5)
 BY_COGS, BY_DEGREE, BY_SINGLETONS, BY_AREA = range(4)
 METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM, METHOD_SUM = range(6)
 

@@ -32,12 +32,9 @@ HINTS = {
     "FCL412": "give the output a RANGE, such as RANGE := (0 .. 100);",
 }
 
-EVALUATED: frozenset[Activation | Accumulation] = frozenset(
-    (
-        *(Activation.MIN, Activation.PROD),
-        *(Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM),
-    )
-)
+ACTIVATIONS = frozenset((Activation.MIN, Activation.PROD))
+ACCUMULATIONS = frozenset((Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM, Accumulation.SUM))
+"""What areas are activated and accumulated by; singletons by all there is."""
 
 Finding = tuple[str, str, Span | None]
 """Code, message and place; those with one message become one diagnostic."""
@@ -64,7 +61,7 @@ def _findings(block: FunctionBlock) -> Iterator[Finding]:
     for defuzzification in block.defuzzifications:
         yield from _output(defuzzification)
     for rule_block in block.rule_blocks:
-        yield from _rule_block(rule_block)
+        yield from _rule_block(block, rule_block)
 
 
 def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
@@ -110,7 +107,7 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
             if not _all_hold(shape.points):
                 yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
         elif isinstance(shape, Formula):
-            if any(isinstance(each.shape, Points | Curve) for each in output.terms):
+            if has_area(output):
                 yield "FCL408", f"`{name}` has areas and formulae, which is not evaluated", term.span
         elif not isinstance(shape, Singleton):
             yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
@@ -118,9 +115,7 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
             yield "FCL407", f"singletons of `{name}` exceed what binary64 can carry", term.span
     if output.range is not None and not max(map(abs, output.range)) < LARGEST:
         yield "FCL407", f"RANGE of `{name}` exceeds what binary64 can carry", output.span
-    if output.accumulation is not None and output.accumulation not in EVALUATED:
-        yield "FCL410", f"{output.accumulation} is not evaluated yet", output.span
-    if output.method is Method.SUM and any(isinstance(each.shape, Points | Curve) for each in output.terms):
+    if output.method is Method.SUM and has_area(output):
         yield "FCL410", f"METHOD {output.method} of areas is not evaluated yet", output.span
 
 
@@ -135,7 +130,19 @@ def _output_curve(output: Defuzzification, term: Term, curve: Curve) -> Iterator
         yield "FCL407", f"parameters of `{output.variable}` exceed what binary64 can carry", term.span
 
 
-def _rule_block(block: RuleBlock) -> Iterator[Finding]:
-    for chosen in (block.activation, block.accumulation):
-        if chosen not in EVALUATED:
-            yield "FCL410", f"{chosen} is not evaluated yet", block.span
+def _rule_block(block: FunctionBlock, rule_block: RuleBlock) -> Iterator[Finding]:
+    """Yield algorithms that are evaluated of singletons, where a rule concludes on an area."""
+    areas = {each.variable.casefold(): each for each in block.defuzzifications if has_area(each)}
+    concluded = {each.variable.casefold() for rule in rule_block.rules for each in rule.conclusions}
+    outputs = [output for name, output in areas.items() if name in concluded]
+    accumulations = [output.accumulation or rule_block.accumulation for output in outputs]
+    if outputs and rule_block.activation not in ACTIVATIONS:
+        yield "FCL410", f"ACT {rule_block.activation} of areas is not evaluated yet", rule_block.span
+    for each in dict.fromkeys(accumulations):
+        if each not in ACCUMULATIONS:
+            yield "FCL410", f"ACCU {each} of areas is not evaluated yet", rule_block.span
+
+
+def has_area(output: Defuzzification) -> bool:
+    """Return whether an output has terms with areas, smooth ones among them."""
+    return any(isinstance(each.shape, Points | Curve) for each in output.terms)

@@ -12,6 +12,7 @@ from fcl_sim.engine.show_outputs import Names, outputs_text, source_text, spots_
 from fcl_sim.model import CurveKind
 
 KINDS = {p.ALL_MIN: "MIN", p.ALL_PROD: "PROD", p.CODE: "code"}
+HOW = {0: "max", 1: "sum"}
 OPERATORS = {
     p.NOT: "NOT",
     **{code: str(operator) for operator, code in (*AND_CODE.items(), *OR_CODE.items())},
@@ -142,7 +143,7 @@ def _rules(program: Program) -> Iterator[str]:
         yield f"  {label}: {KINDS[rule[p.RULE_KIND]]} [{body}]"
         for conclusion in range(rule[p.RULE_THEN]):
             then = rule[p.RULE_BODY + length + conclusion * p.THEN_SIZE :]
-            how = "sum" if then[p.THEN_SUM] else "max"
+            how = HOW.get(then[p.THEN_SUM]) or OPERATORS[then[p.THEN_SUM] + p.OR_MAX - p.AND_MIN]
             source = then[p.THEN_WEIGHT]
             weight = f", weight {source_text(source, program, names)}" if source != 0 else ""
             yield f"      {how} m{then[p.THEN_DEGREE]}{weight}"

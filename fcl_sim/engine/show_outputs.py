@@ -5,7 +5,13 @@ from collections.abc import Iterator, Mapping
 from fcl_sim.engine import program as p
 from fcl_sim.engine.program import Program
 
-GROUPS = {p.GROUP_MAX: "MAX", p.GROUP_BSUM: "BSUM", p.GROUP_NSUM: "NSUM"}
+GROUPS = {
+    p.GROUP_MAX: "MAX",
+    p.GROUP_BSUM: "BSUM",
+    p.GROUP_NSUM: "NSUM",
+    p.GROUP_SUM: "SUM",
+    p.GROUP_NORM: "S-norm",
+}
 METHODS = {
     p.METHOD_COG: "CoG",
     p.METHOD_COA: "CoA",

@@ -14,7 +14,7 @@ SOURCE = Source("base.fcl", "TERM t := 1;\nTERM u := 2;\n")
 SPANS = (Span(SOURCE, 5, 6), Span(SOURCE, 18, 19))
 
 INPUT = (points("low", (0, 1), (1, 0)),)
-PLAIN = output("y", singleton("s", 1))
+AREA = output("y", points("s", (0, 1), (1, 0)), method=Method.COG)
 RULES = RuleBlock(name="r", rules=(rule("1", every(("x", "low")), ("y", "s")),))
 
 
@@ -41,8 +41,8 @@ CASES = {
         "`s` of `y` is a smooth shape, and `y` has no RANGE",
     ),
     "FCL410": (
-        block({"x": INPUT}, (PLAIN,), replace(RULES, accumulation=Accumulation.SUM, span=SPANS[0])),
-        "SUM is not evaluated yet",
+        block({"x": INPUT}, (AREA,), replace(RULES, accumulation=Accumulation.HSUM, span=SPANS[0])),
+        "ACCU HSUM of areas is not evaluated yet",
     ),
 }
 

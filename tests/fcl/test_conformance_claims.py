@@ -81,6 +81,7 @@ EXAMPLES = {
     "norm": [
         *([("AND: MIN", f"AND: {each}")] for each in ("HPROD", "EPROD", "DPROD", "NMIN")),
         *([("ACCU: MAX", f"ACCU: {each}")] for each in ("SUM", "HSUM")),
+        [*AREAS, ("ACCU: MAX", "ACCU: HSUM")],
     ],
     "further method": [[("METHOD: CoGS", "METHOD: COGSS")], [*AREAS, ("METHOD: CoG", "METHOD: MM")]],
     "further default": [[("DEFAULT := 0", f"DEFAULT := {each}")] for each in ("nan", "3 | NC")],
