@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 
 from fcl_sim.diagnostics import Source, Span
 from fcl_sim.fcl.outline import Statement, outline
-from fcl_sim.fcl.tokens import Comment, Scan, Token
-from fcl_sim.fcl.tree import Heading, RuleBlock, Tree
+from fcl_sim.fcl.tokens import Comment, Scan
+from fcl_sim.fcl.tree import Tree
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,13 +96,8 @@ def gather_comments(scan: Scan, tree: Tree) -> Comments:
 
 
 def _outside(comments: Sequence[Comment], tree: Tree) -> Iterator[Comment]:
-    """Yield the comments that are not part of something verbatim: options, names, text that is not FCL."""
-    verbatim = [(each.start, each.end) for each in tree.verbatim]
-    names: list[Heading | Token | None] = [each.heading for each in tree.blocks]
-    parts = (part for block in tree.blocks for part in block.sections)
-    names += [each.name for each in parts if isinstance(each, RuleBlock)]
-    verbatim += [(each.start, each.end) for each in names if each is not None]
-    verbatim.sort()
+    """Yield the comments that are not part of something verbatim: options, and text that is not FCL."""
+    verbatim = sorted((each.start, each.end) for each in tree.verbatim)
     for comment in comments:
         at = bisect_right(verbatim, (comment.start, len(tree.source.text))) - 1
         if at < 0 or comment.start >= verbatim[at][1]:

@@ -1,5 +1,7 @@
 """The parser's place in the text: what it takes, what it misses, and where it goes on after a fault."""
 
+from itertools import pairwise
+
 from fcl_sim.fcl.findings import Findings, Hint, Spanned, Stretch
 from fcl_sim.fcl.keywords import ENDS, SECTIONS, SETTINGS, STRUCTURAL
 from fcl_sim.fcl.tokens import Kind, Scan, Token
@@ -100,6 +102,15 @@ class Cursor:
     def _gap(self) -> Stretch:
         """Return the place right behind the token taken last."""
         return Stretch(self.last.end, self.last.end)
+
+    def words(self, start: int) -> str:
+        """Return what was taken from offset `start` on, one blank where words do not touch."""
+        first = self._index
+        while first > 0 and self._tokens[first - 1].start >= start:
+            first -= 1
+        taken = self._tokens[first : self._index]
+        gaps = ["" if each.start == before.end else " " for before, each in pairwise(taken)]
+        return "".join(gap + each.text for gap, each in zip(["", *gaps], taken, strict=True))
 
     def since(self, start: int) -> Stretch:
         """Return what was taken from offset `start` on."""

@@ -61,7 +61,7 @@ def _block_name(cursor: Cursor, opening: Token) -> tuple[Token | None, bool]:
     if _is_longer(cursor):
         while _is_longer(cursor):
             cursor.advance()
-        words = cursor.source.text[name.start : cursor.last.end]
+        words = cursor.words(name.start)
         name = Token(Kind.NAME, words, words.upper(), name.start)
         cursor.findings.feature("rule block name", f"`{words}`", name)
     cursor.take(";")

@@ -157,7 +157,7 @@ def _heading(cursor: Cursor, opening: Token) -> Heading | None:
     ):
         cursor.advance()
         words += 1
-    heading = Heading(cursor.source.text[first.start : cursor.last.end], first.start, cursor.last.end)
+    heading = Heading(cursor.words(first.start), first.start, cursor.last.end)
     if words > 1 or first.kind is not Kind.NAME:
         message = "the function block's name is not an identifier (Open Level)"
         cursor.findings.note("FCL221", message, heading)

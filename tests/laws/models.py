@@ -1,6 +1,7 @@
 """Hypothesis strategies for whole models, as the reader makes them."""
 
 import string
+from dataclasses import replace
 
 from hypothesis import strategies as st
 
@@ -153,7 +154,8 @@ def conditions(leaves):
         several = st.lists(inner, min_size=2, max_size=4).map(tuple)
         return st.one_of(several.map(And), several.map(Or), inner.map(Not))
 
-    return st.recursive(st.one_of(leaves), joined, max_leaves=12)
+    one = st.integers(0, len(leaves) - 1).flatmap(leaves.__getitem__)
+    return st.recursive(one, joined, max_leaves=12)
 
 
 @st.composite
@@ -204,14 +206,27 @@ def function_blocks(draw):
     of_inputs, of_outputs, of_local = ([each.name for each in part] for part in (inputs, outputs, local))
     fuzzified = draw(fuzzifications(of_inputs))
     defuzzified = tuple(draw(defuzzification(each, of_inputs, of_outputs)) for each in of_outputs)
+    blocks = draw(rule_blocks(of_inputs, fuzzified, defuzzified, of_local))
     return FunctionBlock(
         name=draw(NAMES),
         inputs=inputs,
         outputs=outputs,
         variables=local,
         fuzzifications=fuzzified,
-        defuzzifications=defuzzified,
-        rule_blocks=draw(rule_blocks(of_inputs, fuzzified, defuzzified, of_local)),
+        defuzzifications=tuple(draw(accumulated(each, blocks)) for each in defuzzified),
+        rule_blocks=blocks,
         options=tuple(f" {each} " for each in draw(st.lists(OPTIONS, max_size=2))),
         structures=types,
     )
+
+
+@st.composite
+def accumulated(draw, output, blocks):
+    """Draw an ACCU for an output; one that all its rule blocks have is not its own."""
+    own = draw(st.none() | st.sampled_from(Accumulation))
+    concluding = {
+        each.accumulation
+        for each in blocks
+        if any(part.variable == output.variable for rule in each.rules for part in rule.conclusions)
+    }
+    return replace(output, accumulation=None if concluding == {own} else own)
