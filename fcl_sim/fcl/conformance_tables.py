@@ -220,7 +220,14 @@ TABLE_10 = (
         "",
         IN_PART,
     ),
-    Row("formula", 10, "terms that are formulae", "FUNCTION, Function, Linear", "", "yes; a place calculated at each evaluation (S15)"),
+    Row(
+        "formula",
+        10,
+        "terms that are formulae",
+        "FUNCTION, Function, Linear",
+        "",
+        "yes; a place calculated at each evaluation (S15)",
+    ),
     Row(
         "norm",
         10,
