@@ -49,6 +49,8 @@ class Instance:
 
     def __getattr__(self, name: str) -> float:
         """Return the value of the output `name`."""
+        if name.startswith("__"):  # what Python asks of an object that it copies
+            raise AttributeError(name)
         place = self._results.get(name)
         if place is None:
             try:
@@ -56,6 +58,15 @@ class Instance:
             except TypeError as unknown:
                 raise AttributeError(str(unknown), name=name, obj=self) from None
         return self._words[place]
+
+    def __copy__(self) -> "Instance":
+        """Return an instance that goes on from here by itself."""
+        twin = Instance(self._block, self._program)
+        twin._memory[:] = self._memory
+        return twin
+
+    def __deepcopy__(self, memo: dict[int, object]) -> "Instance":
+        return self.__copy__()
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._program.output_names]

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 from fcl_sim.report.results import document
 
 if TYPE_CHECKING:
-    from fcl_sim.report.writer import write, write_pictures
+    from fcl_sim.report.writer import write
 
-__all__ = ["document", "write", "write_pictures"]
+__all__ = ["document", "write"]
 
 
 def __getattr__(name: str) -> Any:
-    if name in {"write", "write_pictures"}:
-        return getattr(import_module("fcl_sim.report.writer"), name)
+    if name == "write":
+        return import_module("fcl_sim.report.writer").write
     raise AttributeError(name)

@@ -45,19 +45,6 @@ def write(outcomes: Sequence[Outcome], folder: Path, progress: Progress | None =
         raise refused(error, folder) from error
 
 
-def write_pictures(pictures: Sequence[Picture], folder: Path) -> list[Path]:
-    """Write pictures into `folder` as PNGs, as `write` does; return the files."""
-    try:
-        with workplace(folder) as work:
-            shelf = Shelf()
-            for picture in pictures:
-                shelf.add("", picture)
-            shelf.draw(work, _silent)
-            return _move(work, folder, shelf.export(work))
-    except OSError as error:
-        raise refused(error, folder) from error
-
-
 class Shelf:
     """The pictures of a report, under names that any file system takes and no two share."""
 

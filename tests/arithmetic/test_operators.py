@@ -6,23 +6,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fcl_sim.arithmetic.operators import (
-    algebraic_sum,
-    bounded_difference,
-    bounded_sum,
-    clamped,
-    maximum,
-    minimum,
-)
+from fcl_sim.arithmetic.operators import clamped, maximum, minimum
 
 DEGREES = st.floats(0, 1)
 
 FORMULAE = {
     minimum: min,
     maximum: max,
-    bounded_difference: lambda a, b: max(Fraction(0), a + b - 1),
-    algebraic_sum: lambda a, b: a + b - a * b,
-    bounded_sum: lambda a, b: min(Fraction(1), a + b),
 }
 
 

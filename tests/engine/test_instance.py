@@ -1,3 +1,4 @@
+import copy
 import gc
 import sys
 from math import inf, nan
@@ -79,6 +80,18 @@ def test_instances_do_not_share_their_memory():
     second(x=1.5)
     first(x=1.5)
     assert (first.y, second.y) == (4.0, 0.0)
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy])
+def test_a_copy_goes_on_by_itself_from_where_the_instance_stands(copied):
+    first = Instance(crane(), assemble(crane()))
+    first(distance=12.0, angle=4.0)
+    second = copied(first)
+    assert (second.inputs, second.power) == (first.inputs, first.power)
+    power = first.power
+    second(distance=1.0)
+    assert first.power == power
+    assert second.inputs == {"distance": 1.0, "angle": 4.0}
 
 
 def test_names_are_found_in_any_letter_case():

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.report import exclusive, write, write_pictures, writer
-from fcl_sim.report.characteristics import characteristic, memberships
+from fcl_sim.report import exclusive, write, writer
+from fcl_sim.report.characteristics import memberships
 from fcl_sim.report.exclusive import PREFIX, workplace
 from fcl_sim.report.provenance import EPOCH, date_of
 from tests.house.places import ROOT
@@ -159,14 +159,6 @@ def test_a_disk_that_refuses_in_mid_report_is_one_message_and_leaves_nothing(
         f"{place}: error[RUN201]: the report cannot be written: {os.strerror(number)}\n  hint: {hint}"
     )
     assert list(place.iterdir()) == []
-
-
-def test_the_pictures_of_a_block_alone_are_written(tmp_path):
-    pictures = [*memberships(crane(), {}, "terms"), *characteristic(crane(), {}, "surface")]
-    written = write_pictures(pictures, tmp_path)
-    assert [each.name for each in written] == ["terms.png", "surface.png"]
-    assert all(each.read_bytes().startswith(b"\x89PNG") for each in written)
-    assert write_pictures([], tmp_path) == []
 
 
 @pytest.mark.parametrize(
