@@ -14,7 +14,7 @@ from fcl_sim.engine.entries import evaluate_one
 from fcl_sim.engine.plan_areas import algorithms, conclusions
 from fcl_sim.engine.program import Program
 from fcl_sim.engine.switches import counted
-from fcl_sim.engine.words import condition_formula, condition_text
+from fcl_sim.engine.words import condition_formula, condition_text, subconditions
 from fcl_sim.model import (
     Condition,
     Defuzzification,
@@ -46,6 +46,14 @@ class TermDegree:
 
 
 @dataclass(frozen=True, slots=True)
+class Taken:
+    """An input and its value."""
+
+    variable: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
 class Fuzzified:
     """Fuzzification of an input: the degree of each of its terms."""
 
@@ -64,11 +72,24 @@ class Brought:
 
 
 @dataclass(frozen=True, slots=True)
+class Subcondition:
+    """A subcondition without its hedges, or NOT one, and its degree."""
+
+    condition: str
+    degree: float
+
+
+@dataclass(frozen=True, slots=True)
 class Aggregated:
-    """Aggregation of a rule's condition; `formula` shows its degrees under their operators."""
+    """Aggregation of a rule's condition; `formula` shows its degrees under their operators.
+
+    `subconditions` are in the order of the text; one under the hedge `any` is
+    not among them.
+    """
 
     rule: str
     condition: str
+    subconditions: tuple[Subcondition, ...]
     formula: str
     degree: float
 
@@ -123,9 +144,10 @@ class Defuzzified:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Explanation:
-    """One evaluation in the steps of A.2.1 to A.2.4."""
+    """One evaluation in the steps of A.2.1 to A.2.4; `inputs` are all of them, as declared."""
 
     name: str
+    inputs: tuple[Taken, ...]
     fuzzified: tuple[Fuzzified, ...]
     brought: tuple[Brought, ...]
     aggregated: tuple[Aggregated, ...]
@@ -215,21 +237,14 @@ def explain(block: FunctionBlock, program: Program, memory: NDArray[np.float64])
     reading = _Reading(counted(block), program, memory)
     return Explanation(
         name=block.name,
+        inputs=tuple(Taken(name, reading.input(name)) for name in program.input_names),
         fuzzified=tuple(_fuzzified(reading)),
         brought=tuple(
             Brought(name, reading.input(name), reading.weight(name))
             for name in program.input_names
             if name.casefold() in program.layout.brought
         ),
-        aggregated=tuple(
-            Aggregated(
-                label,
-                condition_text(rule.condition),
-                condition_formula(rule.condition, rule_block, partial(reading.degree, rule=number)),
-                degree,
-            )
-            for number, (label, degree, rule_block, rule) in enumerate(reading.rules())
-        ),
+        aggregated=tuple(_aggregated(reading)),
         activated=tuple(_activated(reading)),
         accumulated=tuple(_accumulated(reading)),
         defuzzified=tuple(_defuzzified(reading)),
@@ -244,6 +259,20 @@ def _fuzzified(reading: _Reading) -> Iterator[Fuzzified]:
                 TermDegree(term.name, reading.degree(Is(each.variable, term.name), 0)) for term in each.terms
             )
             yield Fuzzified(each.variable, reading.input(each.variable), degrees)
+
+
+def _aggregated(reading: _Reading) -> Iterator[Aggregated]:
+    for number, (label, degree, rule_block, rule) in enumerate(reading.rules()):
+        degree_of = partial(reading.degree, rule=number)
+        yield Aggregated(
+            rule=label,
+            condition=condition_text(rule.condition),
+            subconditions=tuple(
+                Subcondition(condition_text(each), degree_of(each)) for each in subconditions(rule.condition)
+            ),
+            formula=condition_formula(rule.condition, rule_block, degree_of),
+            degree=degree,
+        )
 
 
 def _activated(reading: _Reading) -> Iterator[Activated]:

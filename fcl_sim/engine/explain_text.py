@@ -65,22 +65,30 @@ def _activation(explanation: Explanation) -> Iterator[str]:
 
 
 def _activated(each: Activated) -> str:
-    subject = f"{each.variable} IS {each.term}" if each.term else each.variable
+    return f"{subject(each)}: {activation_formula(each)}"
+
+
+def subject(each: Activated) -> str:
+    """Return what is concluded, without its weight."""
+    return f"{each.variable} IS {each.term}" if each.term else each.variable
+
+
+def activation_formula(each: Activated) -> str:
+    """Return how a conclusion is activated and weighted, such as `0.5 · MIN(0.8, μ)`."""
     if each.algorithm:
         weight = f"{number(each.weight)} · " if each.weight != 1.0 else ""
         degree = number(each.activated)
-        membership = f"MIN({degree}, μ)" if each.algorithm == "MIN" else f"{degree} · μ"
-        return f"{subject}: {weight}{membership}"
+        membership = f"{degree} · μ" if each.algorithm == "PROD" else f"{each.algorithm}({degree}, μ)"
+        return f"{weight}{membership}"
     weighted = f"{number(each.activated)} · WITH {number(each.weight)} = " if each.weight != 1.0 else ""
-    return f"{subject}: {weighted}{number(each.degree)}"
+    return f"{weighted}{number(each.degree)}"
 
 
 def _accumulation(explanation: Explanation) -> Iterator[str]:
     yield ""
     yield "Accumulation"
     for each in explanation.accumulated:
-        algorithm = ", then MAX over the rule blocks" if len(each.algorithms) > 1 else ""
-        yield f"  {each.variable} ({' and '.join(each.algorithms) or 'no rule'}{algorithm})"
+        yield f"  {each.variable} ({accumulation_words(each)})"
         width = max((len(degree.term) + 2 for degree in each.degrees if degree.term), default=0)
         yield from (f"    {degree.term:{width}}{number(degree.degree)}" for degree in each.degrees)
         for row in range(0, len(each.area), VERTICES_IN_A_ROW):
@@ -88,15 +96,22 @@ def _accumulation(explanation: Explanation) -> Iterator[str]:
             yield "    " + " ".join(f"({number(x)}, {number(degree)})" for x, degree in vertices)
 
 
+def accumulation_words(each: Accumulated) -> str:
+    """Return by what the results of the rules are accumulated (S26)."""
+    algorithm = ", then MAX over the rule blocks" if len(each.algorithms) > 1 else ""
+    return f"{' and '.join(each.algorithms) or 'no rule'}{algorithm}"
+
+
 def _defuzzification(explanation: Explanation) -> Iterator[str]:
     yield ""
     yield "Defuzzification"
     by_variable = {each.variable.casefold(): each for each in explanation.accumulated}
     for each in explanation.defuzzified:
-        yield f"  {each.variable} = {_result(each, by_variable[each.variable.casefold()])}"
+        yield f"  {each.variable} = {defuzzification_formula(each, by_variable[each.variable.casefold()])}"
 
 
-def _result(each: Defuzzified, accumulated: Accumulated) -> str:
+def defuzzification_formula(each: Defuzzified, accumulated: Accumulated) -> str:
+    """Return how an output gets its value, and the value."""
     value = number(each.value)
     if each.origin is not Origin.RULES:
         why = "the accumulated area is 0" if accumulated.area else "no rule is active"

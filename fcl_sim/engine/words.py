@@ -1,6 +1,6 @@
 """Conditions in words, and as the formula that their operators make."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 from fcl_sim.model import And, Condition, Degree, Hedge, Is, Not, Or, RuleBlock
@@ -43,6 +43,20 @@ def condition_formula(
     if isinstance(condition, Not) and not _is_leaf(condition.argument):
         return f"1 - {condition_formula(condition.argument, operators, degree_of)}"
     return number(degree_of(condition))
+
+
+def subconditions(condition: Condition) -> Iterator[Condition]:
+    """Yield what `condition_formula` takes degrees of: subconditions without hedges, or NOT one."""
+    if isinstance(condition, And | Or):
+        for each in condition.arguments:
+            yield from subconditions(each)
+    elif isinstance(condition, Is) and condition.hedges:
+        if Hedge.ANY not in condition.hedges:
+            yield replace(condition, hedges=())
+    elif isinstance(condition, Not) and not _is_leaf(condition.argument):
+        yield from subconditions(condition.argument)
+    else:
+        yield condition
 
 
 def _predicate(condition: Is) -> str:

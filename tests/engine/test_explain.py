@@ -7,13 +7,14 @@ from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.explain import Origin
 from fcl_sim.engine.explain_text import explanation_text
 from fcl_sim.engine.instance import Instance
-from fcl_sim.engine.words import condition_text
+from fcl_sim.engine.words import condition_text, subconditions
 from fcl_sim.model import (
     Accumulation,
     Activation,
     And,
     AndOperator,
     Degree,
+    Hedge,
     Is,
     Method,
     Not,
@@ -236,3 +237,27 @@ def test_an_explanation_is_a_json_object():
         "origin": "rules",
         "value": 0.5,
     }
+
+
+def test_every_subcondition_has_the_degree_that_the_formula_shows():
+    explanation = Instance(BASE, assemble(BASE)).explain(x=0.25, d=1.5, w=0.125)
+    shown = [
+        [(each.condition, each.degree) for each in rule.subconditions] for rule in explanation.aggregated
+    ]
+    assert shown == [
+        [("x IS low", 0.75)],
+        [("x IS high", 0.0), ("d", 1.0)],
+        [("x IS NOT low", 0.25), ("NOT d", 0.0)],
+    ]
+
+
+def test_subconditions_stand_without_their_hedges_and_any_has_none():
+    hedged = Or((Is("x", "low", hedges=(Hedge.VERY,)), Is("x", "", hedges=(Hedge.NOT, Hedge.ANY))))
+    assert list(subconditions(Not(hedged))) == [Is("x", "low")]
+
+
+def test_every_input_is_told_even_one_that_only_weighs():
+    explanation = Instance(BASE, assemble(BASE)).explain(x=0.25, w=0.125)
+    assert [(each.variable, each.value) for each in explanation.inputs] == [
+        ("x", 0.25), ("d", 0.0), ("w", 0.125),
+    ]  # fmt: skip
