@@ -128,7 +128,7 @@ def test_what_cannot_be_evaluated_points_into_the_text():
     with pytest.raises(InputFault) as fault:
         fcl_sim.loads(huge, name="huge.fcl")
     assert str(fault.value).splitlines()[0] == (
-        "huge.fcl:19:10: error[FCL407]: singletons of `power` exceed what binary64 can carry"
+        "huge.fcl:19:10: error[FCL407]: singletons of `power` exceed what LREAL can hold"
     )
 
 

@@ -25,7 +25,7 @@ CODES: dict[str, str] = {
     "FCL207": "a parenthesis is not closed",
     "FCL208": "a condition or formula is too deep or too long",
     "FCL209": "a name is missing",
-    "FCL210": "text behind END_FUNCTION_BLOCK is passed over",
+    "FCL210": "text behind END_FUNCTION_BLOCK is ignored",
     "FCL211": "something stands outside of FUNCTION_BLOCK",
     "FCL212": "a point has more than two numbers",
     "FCL213": "a rule does not begin with RULE",

@@ -69,7 +69,7 @@ def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
     shape = term.shape
     if isinstance(shape, Curve):
         if not _curve_holds(shape):
-            yield "FCL407", f"parameters of `{name}` exceed what binary64 can carry", term.span
+            yield "FCL407", f"parameters of `{name}` exceed what LREAL can hold", term.span
     elif isinstance(shape, Singletons):
         if len(shape.points) > 1 and any(isinstance(point.x, str) for point in shape.points):
             message = f"`{term.name}` of `{name}` has several single values that variables move"
@@ -77,7 +77,7 @@ def _input_term(fuzzification: Fuzzification, term: Term) -> Iterator[Finding]:
     elif not isinstance(shape, Points):
         yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
     elif not _all_hold(shape.points):
-        yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
+        yield "FCL407", f"base points of `{name}` exceed what LREAL can hold", term.span
 
 
 def _curve_holds(curve: Curve) -> bool:
@@ -105,16 +105,16 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
             yield from _output_curve(output, term, shape)
         elif isinstance(shape, Points):
             if not _all_hold(shape.points):
-                yield "FCL407", f"base points of `{name}` exceed what binary64 can carry", term.span
+                yield "FCL407", f"base points of `{name}` exceed what LREAL can hold", term.span
         elif isinstance(shape, Formula):
             if has_area(output):
                 yield "FCL408", f"`{name}` has areas and formulae, which is not evaluated", term.span
         elif not isinstance(shape, Singleton):
             yield "FCL408", f"`{term.name}` of `{name}` has a shape that is not evaluated yet", term.span
         elif not isinstance(shape.value, str) and not abs(shape.value) < LARGEST:
-            yield "FCL407", f"singletons of `{name}` exceed what binary64 can carry", term.span
+            yield "FCL407", f"singletons of `{name}` exceed what LREAL can hold", term.span
     if output.range is not None and not max(map(abs, output.range)) < LARGEST:
-        yield "FCL407", f"RANGE of `{name}` exceeds what binary64 can carry", output.span
+        yield "FCL407", f"RANGE of `{name}` exceeds what LREAL can hold", output.span
     if output.method is Method.SUM and has_area(output):
         yield "FCL410", f"METHOD {output.method} of areas is not evaluated yet", output.span
 
@@ -127,7 +127,7 @@ def _output_curve(output: Defuzzification, term: Term, curve: Curve) -> Iterator
     if any(isinstance(each, str) for each in curve.parameters):
         yield "FCL408", f"{subject} is a smooth shape that variables move, not evaluated yet", term.span
     elif not _curve_holds(curve):
-        yield "FCL407", f"parameters of `{output.variable}` exceed what binary64 can carry", term.span
+        yield "FCL407", f"parameters of `{output.variable}` exceed what LREAL can hold", term.span
 
 
 def _rule_block(block: FunctionBlock, rule_block: RuleBlock) -> Iterator[Finding]:

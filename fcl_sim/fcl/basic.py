@@ -177,7 +177,7 @@ def _rules(block: FunctionBlock, section: RuleBlock, refuse: Refuse) -> Iterator
         message = f"AND is MIN in the Basic Level, not {section.and_operator} (Table 8)"
         refuse(message, section.span)
     if section.or_operator is not OrOperator.MAX and any(uses(each, Or) for each in conditions):
-        message = f"OR by {section.or_operator} is no two rules: ACCU: MAX would join them otherwise (5.2.4)"
+        message = f"OR by {section.or_operator} cannot be written as two rules: ACCU: MAX joins rules (5.2.4)"
         refuse(message, section.span)
     inputs = {each.name for each in block.inputs}
     labels = {each.label.upper() for each in section.rules}

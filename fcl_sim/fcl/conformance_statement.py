@@ -138,7 +138,7 @@ class _Reader:
     def _value(self, element: Element, value: str, at: Span) -> str:
         if isinstance(element, Choice):
             return self._one_of(value, list(element.rows), at)
-        self.faults.append(finding("FCL523", f"`{value}` is unknown: there are no values of this", at))
+        self.faults.append(finding("FCL523", f"`{value}` is not a value of this key, which has none", at))
         return value
 
     # -- kinds of values
@@ -159,7 +159,7 @@ class _Reader:
             return found
         near = nearest(value, values)
         hint = f"did you mean `{near}`?" if near else f"known: {listed(values)}"
-        self.faults.append(finding("FCL523", f"`{value}` is unknown here", at, hint))
+        self.faults.append(finding("FCL523", f"`{value}` is not a value of this key", at, hint))
         return value
 
     def _items(self, entry: Entry | None) -> tuple[Entry, ...]:
@@ -208,7 +208,7 @@ class _Reader:
             if key not in names:
                 near = nearest(key, names)
                 hint = f"did you mean `{near}`?" if near else f"known: {listed(names)}"
-                self.faults.append(finding("FCL523", f"`{key}` is no key of {where}", each.key, hint))
+                self.faults.append(finding("FCL523", f"`{key}` is not a key of {where}", each.key, hint))
 
 
 def _entries(table: Entry | None, keys: Iterable[str]) -> list[tuple[str, Entry]]:

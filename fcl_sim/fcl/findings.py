@@ -9,7 +9,8 @@ from fcl_sim.diagnostics import Diagnostic, Place, Severity, Source, Span, neare
 from fcl_sim.model import Level, Note
 
 MOST_FINDINGS = 100
-"""Of different messages in one stage; what follows is left unsaid, once that has been said."""
+"""Of different errors in one stage, and of warnings and notes; what follows is left unsaid, once that
+has been said."""
 
 MOST_HINTS = 25
 MOST_NAMES = 400
@@ -60,6 +61,7 @@ class Findings:
     def __init__(self, source: Source) -> None:
         self.source = source
         self._entries: dict[tuple[str, str], _Entry] = {}
+        self._counts = {True: 0, False: 0}
         self._hints = 0
         self.notes: list[Note] = []
         """What the text uses beyond Tables 8 and 9, in the order in which it is found."""
@@ -87,9 +89,15 @@ class Findings:
     def _add(
         self, severity: Severity, code: str, message: str, at: Spanned, hint: Hint, related: Sequence[Place]
     ) -> None:
-        if (code, message) not in self._entries and len(self._entries) >= MOST_FINDINGS:
-            code, message = "FCL199", f"more than {MOST_FINDINGS} different findings: the rest is not shown"
-            severity, hint, related = Severity.ERROR, "mend the first ones and read again", ()
+        is_error = severity is Severity.ERROR
+        if (code, message) not in self._entries:
+            if self._counts[is_error] >= MOST_FINDINGS:
+                what = "errors" if is_error else "warnings and notes"
+                code, message = "FCL199", f"more than {MOST_FINDINGS} different {what}: the rest is not shown"
+                severity = Severity.ERROR if is_error else Severity.WARNING
+                hint, related = "mend the first ones and read again", ()
+            else:
+                self._counts[is_error] += 1
         entry = self._entries.get((code, message))
         if entry is None:
             text = hint if isinstance(hint, str) else hint()

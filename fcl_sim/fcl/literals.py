@@ -53,7 +53,7 @@ def _untyped(token: Token, text: str) -> float:
         sign = -1.0 if text.startswith("-") else 1.0
         value = sign * _based(token, text.lstrip("+-"))
     if math.isinf(value):
-        raise LiteralError(f"{token.shown} is too large for a number (binary64 ends at 1.8E308)")
+        raise LiteralError(f"{token.shown} is too large for a number (the largest is 1.8E308)")
     return value
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from fcl_sim.fcl.cursor import Cursor
+from fcl_sim.fcl.cursor import Astray, Cursor
 from fcl_sim.fcl.keywords import HEDGES
 from fcl_sim.fcl.parse_values import variable
 from fcl_sim.fcl.tokens import Kind, Token
@@ -63,6 +63,24 @@ def condition(cursor: Cursor) -> Condition:
     return levels[0].end()
 
 
+def astray(cursor: Cursor, wanted: str) -> Astray:
+    """Report what follows a subcondition where one of `wanted` is expected; return what to raise."""
+    word, following = cursor.last, cursor.token
+    if word.kind is following.kind is Kind.NAME and cursor.ahead().key in _AFTER_TERM:
+        near = cursor.findings.near(word.key, HEDGES)
+        if near:
+            message = f"{word.shown} before the term {following.shown} is not a hedge"
+            return cursor.refuse("FCL201", message, word, f"did you mean {near.lower()}?")
+    return cursor.stray(f"{wanted} is expected after a subcondition", lambda: _advice(cursor))
+
+
+def _advice(cursor: Cursor) -> str:
+    if cursor.token.key == "XOR":
+        return "write (a AND NOT b) OR (NOT a AND b)"
+    near = cursor.findings.near(cursor.token.key, ("AND", "OR", "THEN"))
+    return f"did you mean {near}?" if near else ""
+
+
 def _joined(arguments: list[Condition], kind: type[And] | type[Or]) -> Condition:
     return arguments[0] if len(arguments) == 1 else kind(tuple(arguments))
 
@@ -107,9 +125,7 @@ def _is(cursor: Cursor, name: Token) -> Is:
         hedges.append(cursor.advance())
         if len(hedges) > DEEPEST:
             raise cursor.refuse("FCL208", f"there are more than {DEEPEST} hedges here", cursor.last)
-    term = None
-    if not (hedges and hedges[-1].key == "ANY" and cursor.token.key in _AFTER_TERM):
-        term = cursor.name(f"a term of {name.shown}", _AFTER_TERM)
+    term = cursor.name(f"a term of {name.shown}", _AFTER_TERM)
     return Is(name, negation, term, name.start, cursor.last.end, tuple(hedges))
 
 
@@ -121,18 +137,21 @@ def _at_hedge(cursor: Cursor) -> bool:
     token, following = cursor.token, cursor.ahead()
     if token.key == "NOT":
         return True
-    if token.key not in HEDGES:
-        return False
-    return token.key == "ANY" or (following.kind is Kind.NAME and following.key not in _AFTER_TERM)
+    return token.key in HEDGES and following.kind is Kind.NAME and following.key not in _AFTER_TERM
 
 
 def _refuse_unclosed(cursor: Cursor, opening: Token | None) -> None:
-    if opening is None:
-        return
+    """Report a parenthesis that is open where the condition ends; anything but its end is what is wrong."""
+    token = cursor.token
+    ends = token.key in {"THEN", ";"} or cursor.at_statement()
+    if opening is None or not ends:
+        raise astray(cursor, "AND, OR or `)`")
     cursor.findings.error(
         "FCL207",
         "this parenthesis is not closed",
         opening,
-        hint="write `)` before what ends the condition",
-        related=(cursor.findings.place(cursor.token, "`)` is expected before this"),),
+        hint="write `)` before THEN, or where the parenthesis is meant to end",
+        related=(cursor.findings.place(token, "`)` is expected before this"),),
     )
+    if token.key != "THEN":
+        raise Astray

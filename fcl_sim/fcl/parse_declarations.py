@@ -76,7 +76,8 @@ def _later_range(cursor: Cursor, variables: list[Declaration], last: int) -> Non
     """
     keyword = cursor.advance()
     if last == len(variables):
-        raise cursor.refuse("FCL204", "RANGE stands behind the declaration that it belongs to", keyword)
+        hint = "RANGE stands behind the declaration that it belongs to"
+        raise cursor.refuse("FCL204", "there is no declaration before this RANGE", keyword, hint)
     if variables[last].range is not None:
         raise cursor.refuse("FCL333", "RANGE is given twice", keyword)
     found = limits(cursor)

@@ -3,7 +3,7 @@
 from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
 from fcl_sim.fcl.findings import Spanned, Stretch
 from fcl_sim.fcl.keywords import HEDGES
-from fcl_sim.fcl.parse_conditions import DEEPEST, condition
+from fcl_sim.fcl.parse_conditions import DEEPEST, astray, condition
 from fcl_sim.fcl.parse_settings import choice
 from fcl_sim.fcl.parse_values import value, variable
 from fcl_sim.fcl.sections import statements
@@ -114,7 +114,7 @@ def _body(cursor: Cursor, heading: Spanned, label: str) -> Rule:
     """Read what follows IF; `heading` is what stands before the colon."""
     rule_condition = condition(cursor)
     if not cursor.take("THEN"):
-        raise cursor.stray("AND, OR or THEN is expected after a subcondition", lambda: _advice(cursor))
+        raise astray(cursor, "AND, OR or THEN")
     conclusions = conclusion(cursor)
     end = cursor.last.end
     cursor.end_statement()
@@ -152,7 +152,8 @@ def conclusion(cursor: Cursor) -> tuple[Conclusion, ...]:
             break
         cursor.advance()
     if opened:
-        raise cursor.refuse("FCL207", "this parenthesis is not closed", opened[-1])
+        hint = "write `)` behind the conclusion"
+        raise cursor.refuse("FCL207", "this parenthesis is not closed", opened[-1], hint)
     return tuple(parts)
 
 
@@ -198,10 +199,3 @@ def _refuse_hedge(cursor: Cursor) -> Astray:
     return cursor.refuse(
         "FCL215", message, cursor.token, "hedges stand in conditions; WITH weighs a conclusion"
     )
-
-
-def _advice(cursor: Cursor) -> str:
-    if cursor.token.key == "XOR":
-        return "write (a AND NOT b) OR (NOT a AND b)"
-    near = cursor.findings.near(cursor.token.key, ("AND", "OR", "THEN"))
-    return f"did you mean {near}?" if near else ""

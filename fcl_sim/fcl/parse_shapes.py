@@ -3,6 +3,7 @@
 from fcl_sim.fcl.cursor import Cursor
 from fcl_sim.fcl.parse_expressions import expression
 from fcl_sim.fcl.parse_values import at_extreme, at_value, limit, value
+from fcl_sim.fcl.tokens import Kind
 from fcl_sim.fcl.tree import Formula, Named, Value
 
 _PARAMETER = "a parameter, a number or the name of a variable,"
@@ -45,5 +46,7 @@ def _group(cursor: Cursor) -> list[Value]:
 
 
 def _parameter(cursor: Cursor) -> Value:
-    """Read `parameter ::= value | limit`."""
-    return limit(cursor, _PARAMETER) if at_extreme(cursor) else value(cursor, _PARAMETER)
+    """Read `parameter ::= value | limit`; whether INF is a variable is the resolver's knowledge (S1a)."""
+    if cursor.token.kind is not Kind.NAME and at_extreme(cursor):
+        return limit(cursor, _PARAMETER)
+    return value(cursor, _PARAMETER)

@@ -10,7 +10,8 @@ from fcl_sim.fcl.tree import Number, Value
 
 _LITERALS = (Kind.NUMBER, Kind.LITERAL, Kind.MIXED)
 _BOOLEANS = {"TRUE": 1.0, "FALSE": 0.0}
-_EXTREMES = {"INF": math.inf, "INFINITY": math.inf, "NAN": math.nan}
+EXTREMES = {"INF": math.inf, "INFINITY": math.inf, "NAN": math.nan}
+"""What stands for no finite number (S15): names where a variable can be meant and is declared (S1a)."""
 _AFTER_VALUE = frozenset((",", ")", ";", ".."))
 
 
@@ -59,14 +60,14 @@ def limit(cursor: Cursor, what: str) -> Number:
         return number(cursor, what)
     if token.kind is not Kind.NAME:
         cursor.advance()
-    extreme = _EXTREMES[cursor.advance().key]
+    extreme = EXTREMES[cursor.advance().key]
     return Number(-extreme if token.key == "-" else extreme, token.start, cursor.last.end)
 
 
 def at_extreme(cursor: Cursor) -> bool:
     """Return whether infinity or NaN comes next, with or without a sign."""
     signed = cursor.token.key in {"-", "+"}
-    return (cursor.ahead() if signed else cursor.token).key in _EXTREMES
+    return (cursor.ahead() if signed else cursor.token).key in EXTREMES
 
 
 def constant(cursor: Cursor, what: str) -> Number:

@@ -70,7 +70,8 @@ def function_block(cursor: Cursor) -> Block:
     opening = cursor.token
     heading = None
     if opening.key in SECTIONS:
-        cursor.findings.error("FCL205", f"FUNCTION_BLOCK is expected before {opening.key}", opening)
+        hint = "write `FUNCTION_BLOCK name`"
+        cursor.findings.error("FCL205", f"FUNCTION_BLOCK is expected before {opening.key}", opening, hint)
     else:
         cursor.advance()
         heading = _heading(cursor, opening)
@@ -177,5 +178,5 @@ def _pass_over(cursor: Cursor, *, first: bool) -> Span:
         hint = "text that is not FCL stands in comments: (* … *)"
         cursor.findings.error("FCL211", "this stands before FUNCTION_BLOCK", token, hint)
     elif not first and token.kind is not Kind.STRAY:
-        cursor.findings.warning("FCL210", "text behind END_FUNCTION_BLOCK is passed over", token)
+        cursor.findings.warning("FCL210", "text behind END_FUNCTION_BLOCK is ignored", token)
     return cursor.findings.span(stretch)

@@ -1,7 +1,7 @@
 """Conditions → the model (5.2.4, S27 to S29)."""
 
 from fcl_sim.fcl import tree
-from fcl_sim.fcl.scope import Declared, Role, Scope
+from fcl_sim.fcl.scope import Declared, Role, Scope, Terms
 from fcl_sim.fcl.tokens import Kind, Token
 from fcl_sim.model import And, Condition, Degree, Hedge, Is, Not, Or
 
@@ -59,21 +59,24 @@ def _is(scope: Scope, condition: tree.Is) -> Condition | None:
         if not scope.headless:
             _report_without_terms(scope, declared, condition.variable)
         return None
-    term = "" if condition.term is None else scope.find_term(declared, terms, condition.term)
-    if declared.role is Role.OUTPUT:
-        _require_concluded(scope, declared, condition.variable)
+    hedges = _hedges(condition, terms)
+    term = "" if len(hedges) > len(condition.hedges) else scope.find_term(declared, terms, condition.term)
+    if declared.role is Role.OUTPUT and _is_concluded(scope, declared, condition.variable):
         message = f"`{declared.name}` is an output: what the rules above have accumulated counts here"
         scope.findings.warning("FCL351", message, condition)
     if term is None:
         return None
-    found = Is(declared.name, term, scope.findings.span(condition), hedges=_hedges(scope, condition))
+    if hedges:
+        words = " ".join(each.text for each in hedges)
+        feature = f"the hedge{'' if len(hedges) == 1 else 's'} {words}"
+        scope.findings.feature("hedge", feature, condition)
+    kinds = tuple(Hedge(each.key.lower()) for each in hedges)
+    found = Is(declared.name, term, scope.findings.span(condition), hedges=kinds)
     return found if condition.negation is None else Not(found)
 
 
 def _is_swapped(scope: Scope, condition: tree.Is) -> bool:
     """Report `term IS variable` as what it is."""
-    if condition.term is None:
-        return False
     variable = scope.variables.get(condition.term.key)
     terms = scope.terms.get(condition.term.key)
     if condition.variable.key in scope.variables or variable is None or terms is None:
@@ -117,24 +120,23 @@ def _degree(scope: Scope, token: Token) -> Condition | None:
         scope.findings.error("FCL350", message, token, hint=f"write `{name} IS …`")
         return None
     else:
-        _require_concluded(scope, declared, token)
+        _is_concluded(scope, declared, token)
     return Degree(name, scope.findings.span(token))
 
 
-def _require_concluded(scope: Scope, declared: Declared, at: Token) -> None:
-    """Report a use before the first conclusion: rules are evaluated in the order of the text (S27a, S29)."""
-    if declared.token.key not in scope.concluded:
-        message = f"`{declared.name}` is used before a rule has concluded on it"
-        scope.findings.error("FCL348", message, at, hint="rules are evaluated in the order of the text")
+def _is_concluded(scope: Scope, declared: Declared, at: Token) -> bool:
+    """Return whether a rule above concludes: rules are evaluated in the order of the text (S27a, S29)."""
+    if declared.token.key in scope.concluded:
+        return True
+    message = f"`{declared.name}` is used before a rule has concluded on it"
+    scope.findings.error("FCL348", message, at, hint="rules are evaluated in the order of the text")
+    return False
 
 
-def _hedges(scope: Scope, condition: tree.Is) -> tuple[Hedge, ...]:
-    if condition.hedges:
-        words = " ".join(each.text for each in condition.hedges)
-        scope.findings.feature(
-            "hedge", f"the hedge{'' if len(condition.hedges) == 1 else 's'} {words}", condition
-        )
-    return tuple(Hedge(each.key.lower()) for each in condition.hedges)
+def _hedges(condition: tree.Is, terms: Terms) -> tuple[Token, ...]:
+    """Return the hedges; ANY in the place of a term is one unless a term is called so (S1a)."""
+    stands_alone = condition.term.key == "ANY" and "ANY" not in terms.names
+    return (*condition.hedges, condition.term) if stands_alone else condition.hedges
 
 
 # -- members of structures
@@ -142,7 +144,7 @@ def _hedges(scope: Scope, condition: tree.Is) -> tuple[Hedge, ...]:
 
 def _is_member(scope: Scope, condition: tree.Is) -> Condition | None:
     """Return `structure IS member` as the degree that the member holds (S7)."""
-    if condition.hedges or condition.term is None:
+    if condition.hedges:
         message = f"{condition.variable.shown} is a structure, and its members have no hedges"
         scope.findings.error("FCL309", message, condition)
         return None
@@ -155,7 +157,7 @@ def _member(scope: Scope, structure: Token, member: Token) -> Condition | None:
     if structure.key not in scope.instances:
         declared = scope.find(structure)
         if declared is not None:
-            message = f"`{declared.name}` is no structure"
+            message = f"`{declared.name}` is not a structure"
             scope.findings.error("FCL309", message, structure, hint="compare with a term by IS")
         return None
     text = f"{structure.text}.{member.text}"

@@ -145,5 +145,7 @@ def _note_weight(scope: Scope, conclusions: Sequence[Conclusion]) -> None:
     """Say whose weight it is where one could take it for the whole rule's (S12)."""
     *others, last = conclusions
     if others and last.weight is not None and all(each.weight is None for each in others):
-        message = "WITH belongs to the last subconclusion alone"
-        scope.findings.note("FCL344", message, last, hint="repeat it for each subconclusion it is meant for")
+        message = "this WITH weights the last conclusion alone"
+        scope.findings.note(
+            "FCL344", message, last, hint="repeat it behind each conclusion that it is meant for"
+        )

@@ -167,7 +167,9 @@ def locks(scope: Scope, setting: Setting | None) -> frozenset[str]:
         return frozenset()
     for word in flags.words:
         if word.key not in {"PREVIOUS", "RANGE"}:
-            scope.findings.error("FCL201", f"PREVIOUS or RANGE is expected, not {word.shown}", word)
+            scope.findings.error(
+                "FCL201", f"PREVIOUS or RANGE is expected after LOCK, not {word.shown}", word
+            )
     scope.findings.feature("lock", f"LOCK : {' | '.join(each.text for each in flags.words)}", flags)
     return frozenset(each.key for each in flags.words)
 
@@ -201,7 +203,8 @@ def default_of(scope: Scope, setting: Setting | None) -> tuple[float | None, boo
     if not isinstance(number, Number):
         return None, False
     if math.isinf(number.value):
-        scope.findings.error("FCL201", "a number or NC is expected after DEFAULT", number)
+        message = f"a number or NC is expected after DEFAULT, not `{scope.findings.span(number).text}`"
+        scope.findings.error("FCL201", message, number)
     if held or math.isnan(number.value):
         scope.findings.feature("default", f"DEFAULT := {scope.findings.span(number).text}", number)
     return (math.nan if math.isnan(number.value) else number.value), held

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.fcl.parse_values import EXTREMES
 from fcl_sim.fcl.scope import Scope
 from fcl_sim.fcl.tokens import Token
-from fcl_sim.fcl.tree import Named, Value
+from fcl_sim.fcl.tree import Named, Number, Value
 from fcl_sim.model import Curve, CurveKind, Point, Points, Shape, Singleton, Singletons
 
 Parameter = float | str
@@ -50,7 +51,7 @@ def _ramp(parameters: Sequence[Parameter], height: float) -> Points | str:
     start, end = parameters
     if isinstance(start, float) and isinstance(end, float):
         if start == end:
-            return "its start and its end are one"
+            return "its start and its end are the same"
         if end < start:
             return Points((Point(end, height), Point(start, 0.0)))
     return Points((Point(start, 0.0), Point(end, height)))
@@ -76,15 +77,15 @@ def _curve(kind: CurveKind, order: str, *positive: int, scale: float = 1.0) -> M
     def make(written: Sequence[Parameter], height: float) -> Curve | str:
         parameters = [written[int(each)] for each in order]
         if any(_is_infinite(each) for each in parameters):
-            return "its parameters are numbers that end"
+            return "they must be finite"
         for place in positive:
             width = parameters[place]
             if isinstance(width, float):
                 if width == 0.0:
-                    return "a width of 0 makes no function"
+                    return "its width must not be 0"
                 parameters[place] = abs(width) * scale
             elif scale != 1.0:
-                return "its width is a number"
+                return "its width must be a number, not a variable"
         return Curve(kind, tuple(parameters), height)
 
     return make
@@ -109,7 +110,7 @@ def _gaussian_product(parameters: Sequence[Parameter], height: float) -> Shape |
 
 def _concave(parameters: Sequence[Parameter], height: float) -> Shape | str:
     if parameters[0] == parameters[1]:
-        return "its inflection and its end are one"
+        return "its inflection and its end are the same"
     return _curve(CurveKind.CONCAVE, "01")(parameters, height)
 
 
@@ -117,7 +118,7 @@ def _concave(parameters: Sequence[Parameter], height: float) -> Shape | str:
 
 
 def _constant(parameters: Sequence[Parameter], _: float) -> Shape | str:
-    return "its value is a number that ends" if _is_infinite(parameters[0]) else Singleton(parameters[0])
+    return "its value must be finite" if _is_infinite(parameters[0]) else Singleton(parameters[0])
 
 
 def _is_infinite(value: Parameter) -> bool:
@@ -187,7 +188,9 @@ def _made(scope: Scope, shape: Named, function: _Function, parameters: Sequence[
         return None
     made = function.make(parameters[:count], height)
     if isinstance(made, str):
-        scope.findings.error("FCL323", f"{name} makes no function here: {made}", shape)
+        scope.findings.error(
+            "FCL323", f"these parameters of {name} make no membership function: {made}", shape
+        )
         return None
     return _checked(scope, shape, made)
 
@@ -196,12 +199,15 @@ _FUNCTIONS = _JFUZZYLOGIC | _FUZZYLITE
 
 
 def _parameter(scope: Scope, value: Value) -> Parameter | None:
+    number = value.value if isinstance(value, Number) else None
     if isinstance(value, Token):
-        return scope.find_input(value, "a parameter")
-    if math.isnan(value.value):
-        scope.findings.error("FCL323", "NaN is no parameter of a membership function", value)
+        if value.key in scope.variables or value.key not in EXTREMES:
+            return scope.find_input(value, "a parameter")
+        number = EXTREMES[value.key]
+    if number is not None and math.isnan(number):
+        scope.findings.error("FCL323", "NaN is not a parameter of a membership function", value)
         return None
-    return value.value
+    return number
 
 
 def _height(scope: Scope, shape: Named, given: Sequence[Parameter]) -> float | None:
@@ -209,7 +215,9 @@ def _height(scope: Scope, shape: Named, given: Sequence[Parameter]) -> float | N
     height = given[0] if given else 1.0
     if isinstance(height, float) and 0.0 < height <= 1.0:
         return height
-    message = f"the last parameter of {shape.name.text}, its height, lies above 0 and is at most 1"
+    message = (
+        f"the last parameter of {shape.name.text} is its height, which must lie above 0 and at most at 1"
+    )
     scope.findings.error("FCL317", message, shape.arguments[-1])
     return None
 
@@ -227,10 +235,14 @@ def _listed(scope: Scope, shape: Named, parameters: Sequence[Parameter]) -> Shap
     if height is None:
         return None
     points = []
-    for x, degree in zip(parameters[::2], parameters[1::2], strict=False):
-        if not isinstance(degree, float) or not 0.0 <= degree <= 1.0 or _is_infinite(x):
-            message = f"a degree of membership in {shape.name.text} is not between 0 and 1"
-            scope.findings.error("FCL317", message, shape)
+    for place, (x, degree) in enumerate(zip(parameters[::2], parameters[1::2], strict=False)):
+        if _is_infinite(x):
+            message = f"the abscissae of {shape.name.text} must be finite"
+            scope.findings.error("FCL323", message, shape.arguments[2 * place])
+            return None
+        if not isinstance(degree, float) or not 0.0 <= degree <= 1.0:
+            message = f"this degree of membership in {shape.name.text} is not a number between 0 and 1"
+            scope.findings.error("FCL317", message, shape.arguments[2 * place + 1])
             return None
         points.append(Point(x, degree * height))
     made = Points(tuple(points))
@@ -249,10 +261,26 @@ def _checked(scope: Scope, shape: Named, made: Shape) -> Shape | None:
             scope.findings.error("FCL318", message, shape, hint="give them in ascending order (5.2.2)")
             return None
     if not made.points:
-        message = f"{shape.name.text} makes no function here: no parameter is finite"
+        message = f"these parameters of {shape.name.text} make no membership function: none of them is finite"
         scope.findings.error("FCL323", message, shape)
         return None
     return made
+
+
+def report_bare(scope: Scope, name: Token) -> bool:
+    """Report a membership function without its parameters; return whether it is that, and no variable."""
+    function = _FUNCTIONS.get(name.key)
+    is_shape = function is not None or name.key in {*_VARIABLE_LENGTH, "FUNCTION", "LINEAR"}
+    if name.key in scope.variables or not is_shape:
+        return False
+    if function is not None:
+        what, hint = "no parameters", f"write {name.text} {function.parameters}"
+    elif name.key == "FUNCTION":
+        what, hint = "no formula", f"write {name.text} and a formula of numbers and variables"
+    else:
+        what, hint = "no numbers", f"write {name.text} and its numbers"
+    scope.findings.error("FCL322", f"{name.text} has {what}", name, hint)
+    return True
 
 
 def _report_unknown(scope: Scope, name: Token) -> None:

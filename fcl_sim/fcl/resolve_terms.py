@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from fcl_sim.fcl.resolve_formulas import resolve_formula, resolve_linear
-from fcl_sim.fcl.resolve_shapes import resolve_named
+from fcl_sim.fcl.resolve_shapes import report_bare, resolve_named
 from fcl_sim.fcl.scope import Scope, Terms
 from fcl_sim.fcl.tokens import Token
 from fcl_sim.fcl.tree import Formula, Named, Number, Pair, Term, Value
@@ -42,6 +42,8 @@ def _shape(scope: Scope, shape: TreeShape) -> Shape | None:
         return resolve_formula(scope, shape)
     if isinstance(shape, Named):
         return resolve_linear(scope, shape) if shape.name.key == "LINEAR" else resolve_named(scope, shape)
+    if isinstance(shape, Token) and report_bare(scope, shape):
+        return None
     value = _abscissa(scope, shape, "a singleton")
     return None if value is None else Singleton(value)
 
@@ -94,7 +96,7 @@ def _degree(scope: Scope, value: Value) -> float | None:
         scope.findings.error("FCL317", message, value, hint="variables may stand for the abscissa (5.2.2)")
         return None
     if not 0.0 <= value.value <= 1.0:
-        message = f"the degree of membership `{scope.findings.span(value).text}` is not between 0 and 1"
+        message = "this degree of membership is not between 0 and 1"
         scope.findings.error("FCL317", message, value, hint="a point is `(abscissa, degree)`")
         return None
     return value.value

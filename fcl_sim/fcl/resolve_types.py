@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 
+from fcl_sim.diagnostics import Place
 from fcl_sim.fcl.scope import Scope
 from fcl_sim.fcl.tokens import Token
 from fcl_sim.fcl.tree import Number, Structure, Structures
@@ -36,18 +37,21 @@ def resolve_structures(scope: Scope, sections: Iterable[Structures]) -> None:
             first = scope.structures.setdefault(name.key, structure_type(scope, each, name))
             if first.span is not None and first.span.start != name.start:
                 message = f"two structure types have the name {name.shown}"
-                scope.findings.error("FCL301", message, name)
+                related = (Place(first.span, "first here"),)
+                scope.findings.error("FCL301", message, name, related=related)
 
 
 def structure_type(scope: Scope, structure: Structure, name: Token) -> ModelStructure:
     """Return the type that a structure declares; a member given twice is reported."""
     members: dict[str, Member] = {}
+    names: dict[str, Token] = {}
     for each in structure.members:
         kind = data_type(scope, each.type)
         initial = None if each.initial is None else initial_value(scope, kind, each.initial)
         if each.name.key in members:
             message = f"`{name.text}` has two members {each.name.shown}"
-            scope.findings.error("FCL301", message, each.name)
+            scope.report_twice("FCL301", message, each.name, names[each.name.key])
+        names.setdefault(each.name.key, each.name)
         members.setdefault(each.name.key, Member(each.name.text, kind, initial))
     if not members:
         scope.findings.error("FCL309", f"the structure `{name.text}` has no members", name)
@@ -85,7 +89,7 @@ def initial_value(scope: Scope, kind: DataType, number: Number) -> float | None:
         if number.type != DataType.BOOL:
             return number.value
         message = f"a truth value cannot be the initial value of a variable of type {kind}"
-        scope.findings.error("FCL306", message, number)
+        scope.findings.error("FCL306", message, number, hint="write 1.0 or 0.0, or declare it as BOOL")
         return None
     # Compared as binary64: the largest LINT is no number of that kind, its neighbour stands for it.
     if number.value.is_integer() and float(limits[0]) <= number.value <= float(limits[1]):

@@ -31,7 +31,7 @@ from fcl_sim.model import Term as ModelTerm
 def resolve_fuzzify(scope: Scope, section: Fuzzify) -> Fuzzification | None:
     """Return the terms of an input, None where it is not clear of which."""
     declared = _owner(scope, section, Role.INPUT)
-    terms = Terms(damaged=section.damaged)
+    terms = Terms(owner=section.variable, damaged=section.damaged)
     resolved = resolve_terms(scope, terms, section.terms, output=False)
     _enter(scope, section, declared, terms)
     settings = settings_by_key(scope, section.settings)
@@ -52,7 +52,7 @@ def resolve_fuzzify(scope: Scope, section: Fuzzify) -> Fuzzification | None:
 def resolve_defuzzify(scope: Scope, section: Defuzzify) -> Defuzzification | None:
     """Return the terms of an output and how it becomes a number, None where it is not clear of which."""
     declared = _owner(scope, section, Role.OUTPUT)
-    terms = Terms(damaged=section.damaged)
+    terms = Terms(owner=section.variable, damaged=section.damaged)
     resolved = resolve_terms(scope, terms, section.terms, output=True)
     _enter(scope, section, declared, terms)
     settings = settings_by_key(scope, section.settings)
@@ -64,7 +64,10 @@ def resolve_defuzzify(scope: Scope, section: Defuzzify) -> Defuzzification | Non
     accumulation = algorithm(scope, settings.get("ACCU"), ACCUMULATIONS)
     has_range = "RANGE" in settings or (declared is not None and declared.variable.range is not None)
     if not (has_range or section.damaged) and _areas(resolved):
-        message = f"{_title(section)} has terms with an area but no RANGE: the hull of their points is taken"
+        message = (
+            f"{_title(section)} has terms with an area but no RANGE: "
+            "the stretch from their first to their last point is taken"
+        )
         hint = "write `RANGE := (minimum .. maximum);`"
         scope.findings.warning("FCL336", message, section.variable or section.opening, hint)
     if declared is None or section.variable is None:
@@ -116,9 +119,8 @@ def _enter(scope: Scope, section: Fuzzify | Defuzzify, declared: Declared | None
         return
     first = scope.terms.setdefault(declared.token.key, terms)
     if first is not terms:
-        scope.findings.error(
-            "FCL315", f"`{declared.name}` has a second {section.opening.key}", section.variable
-        )
+        message = f"`{declared.name}` has a second {section.opening.key}"
+        scope.report_twice("FCL315", message, section.variable, first.owner or section.variable)
         first.names |= terms.names
         first.damaged = first.damaged or terms.damaged
 
@@ -169,7 +171,7 @@ def _suited(scope: Scope, setting: Setting, chosen: Method, fitting: Method) -> 
     """Refuse a method that the terms do not allow (S35)."""
     at = setting.value or setting.keyword
     if chosen is Method.COG and fitting is Method.COGS:
-        scope.findings.note("FCL338", "CoG of singletons alone is CoGS", at)
+        scope.findings.note("FCL338", "CoG of singletons alone is CoGS: CoGS is computed", at)
         return Method.COGS
     if chosen is Method.COA and fitting is Method.COGS:
         message = "CoA is not applicable to singletons (Table 1, note 3)"
@@ -190,7 +192,7 @@ def _singletons(terms: tuple[ModelTerm, ...]) -> bool:
 
 def _default(scope: Scope, section: Defuzzify, settings: Mapping[str, Setting]) -> tuple[float | None, bool]:
     if "DEFAULT" not in settings and not section.damaged:
-        message = f"{_title(section)} has no DEFAULT: NC is taken, no change while no rule is active"
+        message = f"{_title(section)} has no DEFAULT: the output keeps its value while no rule is active (NC)"
         hint = "write `DEFAULT := NC;` or a number"
         scope.findings.warning("FCL335", message, section.variable or section.opening, hint)
     return default_of(scope, settings.get("DEFAULT"))

@@ -39,6 +39,9 @@ _KINDS = {
     _STRAY: Kind.STRAY,
 }
 
+MOST_WORDS = 5
+"""Words that one message names."""
+
 _INSTEAD = {
     "−": "write the minus sign as `-`",
     "–": "write the minus sign as `-`",
@@ -146,8 +149,15 @@ def _characters(token: Token) -> str:
 
 
 def _report_letters(findings: Findings, tokens: list[Token]) -> None:
-    seen: set[str] = set()
-    for token in tokens:
-        if token.kind is Kind.NAME and not token.text.isascii() and token.key not in seen:
-            seen.add(token.key)
-            findings.warning("FCL115", "letters other than A to Z in names are not portable", token)
+    """Say once which names are not portable, each at its first place."""
+    names = {
+        each.key: each for each in reversed(tokens) if each.kind is Kind.NAME and not each.text.isascii()
+    }
+    found = sorted(names.values(), key=lambda each: each.start)
+    if found:
+        words = [each.shown for each in found[:MOST_WORDS]]
+        others = len(found) - len(words)
+        listing = ", ".join(words) + (f" and {others} more" if others else "")
+        for each in found:
+            message = f"letters other than A to Z in names are not portable: {listing}"
+            findings.warning("FCL115", message, each)

@@ -33,8 +33,12 @@ class Declared:
 
 @dataclass(slots=True)
 class Terms:
-    """The terms of one variable: their spelling by key. Where `damaged`, there may be more."""
+    """The terms of one variable: their spelling by key. Where `damaged`, there may be more.
 
+    `owner` is the variable's name in their section.
+    """
+
+    owner: Token | None = None
     names: dict[str, Token] = field(default_factory=dict)
     damaged: bool = False
 

@@ -207,11 +207,11 @@ class Defuzzify:
 
 @dataclass(frozen=True, slots=True)
 class Is:
-    """`variable IS NOT hedges term`; NOT may be absent, and the term behind the hedge ANY."""
+    """`variable IS NOT hedges term`; NOT may be absent. The term may turn out to be the hedge ANY."""
 
     variable: Token
     negation: Token | None
-    term: Token | None
+    term: Token
     start: int
     end: int
     hedges: tuple[Token, ...] = ()

@@ -30,7 +30,7 @@ SEVERAL = Term("s", Singletons((Point(1.0, 1.0), Point(2.0, 1.0))), span=SPANS[0
 CASES = {
     "FCL407": (
         block({"x": FLAT}, (HUGE,), RULES),
-        "base points of `x` exceed what binary64 can carry",
+        "base points of `x` exceed what LREAL can hold",
     ),
     "FCL408": (
         block({"x": INPUT}, (output("y", SEVERAL),), RULES),
@@ -62,7 +62,7 @@ def test_one_mistake_is_one_finding_with_all_its_places():
     with pytest.raises(InputFault) as fault:
         assemble(block({"x": INPUT}, (HUGE,), RULES))
     assert str(fault.value) == (
-        "base.fcl:1:6: error[FCL407]: singletons of `y` exceed what binary64 can carry\n"
+        "base.fcl:1:6: error[FCL407]: singletons of `y` exceed what LREAL can hold\n"
         "  1 | TERM t := 1;\n"
         "    |      ^\n"
         "  also at base.fcl:2:6\n"
@@ -74,8 +74,8 @@ def test_several_faults_come_together():
     with pytest.raises(InputFault) as fault:
         assemble(CASES["FCL407"][0])
     assert [each.message for each in fault.value.diagnostics] == [
-        "base points of `x` exceed what binary64 can carry",
-        "singletons of `y` exceed what binary64 can carry",
+        "base points of `x` exceed what LREAL can hold",
+        "singletons of `y` exceed what LREAL can hold",
     ]
 
 
@@ -87,5 +87,5 @@ def test_places_as_large_as_can_be_carried_are_evaluated():
 
 def test_a_range_beyond_what_can_be_carried_is_refused():
     wide = output("y", points("s", (0, 1), (1, 1)), method=Method.COG)
-    with pytest.raises(InputFault, match="RANGE of `y` exceeds what binary64 can carry"):
+    with pytest.raises(InputFault, match="RANGE of `y` exceeds what LREAL can hold"):
         assemble(block({"x": INPUT}, (replace(wide, range=(-1e300, 1e300)),), RULES))

@@ -118,7 +118,7 @@ def test_a_variable_alone_is_a_degree_and_local_ones_follow_their_conclusion(): 
 def test_a_number_has_no_members():  # S7
     for text, message in (
         ("temp.brown", "`temp.brown` is not declared"),
-        ("temp = brown", "`temp` is no structure"),
+        ("temp = brown", "`temp` is not a structure"),
     ):
         (diagnostic,) = fcl.read(with_rule(f"RULE 1: IF {text} AND level IS low THEN valve IS inlet;")).errors
         assert diagnostic.message == message

@@ -186,7 +186,7 @@ def test_a_slip_gets_the_nearest_name():
     assert (
         str(caught.value)
         == """\
-plc.toml:3:8: error[FCL523]: `PROT` is unknown here
+plc.toml:3:8: error[FCL523]: `PROT` is not a value of this key
   3 | AND = ["PROT"]
     |        ^^^^^^
   hint: did you mean `PROD`?"""

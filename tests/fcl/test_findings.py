@@ -65,3 +65,14 @@ def test_near_names_are_sought_within_bounds():
     for _ in range(MOST_HINTS - 3):
         assert findings.near("pos_big", ("zero", "pos_high")) == "pos_high"
     assert findings.near("pos_big", ("zero", "pos_high")) is None
+
+
+def test_warnings_beyond_the_most_are_left_unsaid_and_neither_refuse_the_text_nor_hide_errors():
+    findings = Findings(TEXT)
+    for number in range(MOST_FINDINGS + 20):
+        findings.warning("FCL340", f"the label {number}", Stretch(number, number + 1))
+    findings.error("FCL302", "`x` is not declared", Stretch(500, 501))
+    *warnings, rest, error = findings.diagnostics()
+    assert len(warnings) == MOST_FINDINGS
+    assert (rest.code, rest.severity) == ("FCL199", "warning")
+    assert error.code == "FCL302"

@@ -65,7 +65,7 @@ def test_typed_literals_name_their_type(text, expected, type_name):
         ("16#FG", "`16#FG` is not a number", "digits of the base follow #"),
         ("T#5s", "`T#5s` is a time or a date, not a number", ""),
         ("STRING#5", "`STRING` is not a data type that a number can have", ""),
-        ("1E400", "`1E400` is too large for a number (binary64 ends at 1.8E308)", ""),
+        ("1E400", "`1E400` is too large for a number (the largest is 1.8E308)", ""),
     ],
 )
 def test_what_is_no_number_is_refused_with_its_reason(text, message, hint):

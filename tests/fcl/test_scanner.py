@@ -141,6 +141,13 @@ def test_names_with_other_letters_are_read_with_one_warning_for_each_name():
     (diagnostic,) = scanned.diagnostics
     assert (diagnostic.code, diagnostic.severity) == ("FCL115", "warning")
     assert [place.span.text for place in diagnostic.places] == ["größe", "wärme"]
+    assert diagnostic.message.endswith(": `größe`, `wärme`")
+
+
+def test_of_many_names_with_other_letters_the_first_five_are_named():
+    (diagnostic,) = scan(Source("t", " ".join(f"ä{number}" for number in range(9)))).diagnostics
+    assert diagnostic.message.endswith(": `ä0`, `ä1`, `ä2`, `ä3`, `ä4` and 4 more")
+    assert len(diagnostic.places) == 9
 
 
 @given(st.text(alphabet="ab1._#:=()*/;,-+ \n\t§'Eeé\0", max_size=60) | st.text(max_size=60))
