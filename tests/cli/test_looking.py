@@ -17,7 +17,7 @@ CRANE = ROOT / "scenarios" / "crane"
     ("stage", "file", "words"),
     [
         ("tokens", "crane_printed.fcl", ["FUNCTION_BLOCK", "comment"]),
-        ("tree", "crane_printed.fcl", ["RULE 1", "TERM too_far := (-5, 1) ( 0, 0)"]),
+        ("tree", "crane_printed.fcl", ["RULE 1", "TERM too_far := (-5, 1) (0, 0)"]),
         ("model", "crane_printed.fcl", ["METHOD CoGS", "RULE 1: IF distance IS far"]),
         ("program", "crane_printed.fcl", ["memory", "rule 6", "grid distance"]),
         ("scenario", "transfer.toml", ["crane/transfer", "CR-1"]),
