@@ -102,7 +102,7 @@ def load_all(path: str | os.PathLike[str]) -> dict[str, Block]:
     reading = read_file(path)
     faults: list[Diagnostic] = []
     blocks = {}
-    for each in _readable(reading, os.fspath(path)):
+    for each in _readable(reading):
         try:
             blocks[each.name] = Block(each, assemble(each), reading.diagnostics)
         except InputFault as fault:
@@ -112,17 +112,15 @@ def load_all(path: str | os.PathLike[str]) -> dict[str, Block]:
     return blocks
 
 
-def _readable(reading: Reading, file: str) -> tuple[FunctionBlock, ...]:
+def _readable(reading: Reading) -> tuple[FunctionBlock, ...]:
     if any(each.is_error for each in reading.diagnostics):
         raise InputFault(reading.diagnostics)
-    if not reading.blocks:
-        raise InputFault.at_file("FCL421", file, "there is no FUNCTION_BLOCK")
     return reading.blocks
 
 
 def _chosen(reading: Reading, wanted: str | None, file: str) -> Block:
     """Return the one block, or the one that is called `wanted`, as a Block."""
-    blocks = _readable(reading, file)
+    blocks = _readable(reading)
     called = [each for each in blocks if wanted is None or each.name.casefold() == wanted.casefold()]
     if len(called) == 1:
         return Block(called[0], assemble(called[0]), reading.diagnostics)

@@ -40,8 +40,6 @@ def command(file: Path | None, target: str | None, *, as_json: bool) -> Exit:
     reading = fcl.read_file(file)
     if reading.errors:
         raise InputFault(reading.diagnostics)
-    if not reading.blocks:
-        raise InputFault.at_file("FCL421", str(file), "there is no FUNCTION_BLOCK")
     if as_json:
         click.echo(_document(blocks_document(str(file), reading.blocks)))
     else:

@@ -6,6 +6,7 @@ from fcl_sim.engine import program as p
 from fcl_sim.engine.buffers import Buffers
 from fcl_sim.engine.conditions import (
     AND_CODE,
+    HEDGE_CODE,
     NORM_CODE,
     OR_CODE,
     Leaf,
@@ -104,6 +105,14 @@ def _how(kind: Accumulation) -> int:
     return int(kind is not Accumulation.MAX)
 
 
+def _hedged(buffers: Buffers, conclusion: Conclusion, how: int) -> int:
+    """Return by what a conclusion accumulates: the record of its hedges where it has some."""
+    if not conclusion.hedges:
+        return how
+    codes = [HEDGE_CODE[hedge] for hedge in reversed(conclusion.hedges)]
+    return buffers.put([how, len(codes), *codes])
+
+
 def _then(
     buffers: Buffers, own: Plan, place: tuple[int, int, int], conclusion: Conclusion
 ) -> list[tuple[int, int, int]]:
@@ -113,9 +122,11 @@ def _then(
     weight = buffers.weight(own, conclusion.weight)
     if variable in own.areas:
         target = own.areas[variable].targets[place]
-        then.append((target.word, int(target.summed), weight if target.weighted else 0))
+        how = _hedged(buffers, conclusion, int(target.summed))
+        then.append((target.word, how, weight if target.weighted else 0))
     if variable in own.accumulators:
         accumulator = own.accumulators[variable]
         word = accumulator.word(place[0], conclusion.term)
-        then.append((word, _how(accumulator.kind(place[0])), weight))
+        how = _hedged(buffers, conclusion, _how(accumulator.kind(place[0])))
+        then.append((word, how, weight))
     return then

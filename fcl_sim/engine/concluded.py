@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import reduce
 
 from fcl_sim.engine.conditions import NORM_CODE, OPERATORS
+from fcl_sim.engine.hedged import hedged_degree
 from fcl_sim.engine.plan_areas import algorithms, conclusions, grouped
 from fcl_sim.model import Accumulation, FunctionBlock
 
@@ -34,7 +35,7 @@ def degree_so_far(
         Concluded(
             group_of[number],
             each.term and each.term.casefold(),
-            weight_of(each.weight) * degrees[firsts[number] + place],
+            weight_of(each.weight) * hedged_degree(each.hedges, degrees[firsts[number] + place]),
         )
         for (number, place, _), _, each in conclusions(block)
         if each.variable.casefold() == variable.casefold() and firsts[number] + place < len(degrees)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from fcl_sim.engine.concluded import degree_so_far
 from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.hedged import hedged_degree
 from fcl_sim.engine.plan_areas import algorithms, conclusions
 from fcl_sim.engine.program import Program
 from fcl_sim.engine.switches import counted
@@ -98,9 +99,10 @@ class Aggregated:
 class Activated:
     """A conclusion after activation, which does nothing to a singleton, and after its weight (A.15).
 
-    `term` is empty where a variable without terms is concluded. `algorithm` is
-    that of activation where the term has an area: MIN cuts it off at
-    `activated`, PROD multiplies it; else it is empty.
+    `term` is empty where a variable without terms is concluded. `activated` is
+    the rule's degree after the hedges of the conclusion. `algorithm` is that of
+    activation where the term has an area: MIN cuts it off at `activated`, PROD
+    multiplies it; else it is empty.
     """
 
     rule: str
@@ -281,8 +283,9 @@ def _activated(reading: _Reading) -> Iterator[Activated]:
             weight = reading.weight(each.weight)
             area = each.variable.casefold() in reading.program.layout.areas
             algorithm = str(rule_block.activation) if area else ""
-            result = weight * degree
-            yield Activated(label, each.variable, each.term or "", degree, weight, result, algorithm)
+            activated = hedged_degree(each.hedges, degree)
+            result = weight * activated
+            yield Activated(label, each.variable, each.term or "", activated, weight, result, algorithm)
 
 
 def _accumulated(reading: _Reading) -> Iterator[Accumulated]:

@@ -16,6 +16,7 @@ from fcl_sim.arithmetic.membership import cell_of, degree_on
 from fcl_sim.arithmetic.operators import clamped, maximum, minimum
 from fcl_sim.arithmetic.pairs import disjunction
 from fcl_sim.engine.aggregate import aggregate
+from fcl_sim.engine.hedged import conclude_hedged
 from fcl_sim.engine.moving import fuzzify_moved, sourced
 from fcl_sim.engine.program import (
     ALL,
@@ -187,7 +188,7 @@ def bring(ints: Ints, at: int, memory: Floats, base: int) -> None:
 
 @inlined
 def conclude(
-    ints: Ints, floats: Floats, origin: int, rule: int, degree: float, memory: Floats, base: int
+    ints: Ints, floats: Floats, at: int, origin: int, rule: int, degree: float, memory: Floats, base: int
 ) -> None:
     """Weight and accumulate the conclusions of a rule that fires with `degree`."""
     then = rule + RULE_BODY + ints[u(rule + RULE_LENGTH)]
@@ -200,10 +201,13 @@ def conclude(
         how = ints[u(then + THEN_SUM)]
         if how == 0:
             memory[u(target)] = maximum(memory[u(target)], weighted)
-        elif how > 0:
+        elif how == 1:
             memory[u(target)] += weighted
-        else:
+        elif how < 0:
             memory[u(target)] = disjunction(how, memory[u(target)], weighted)
+        else:
+            weight = sourced(source, floats, origin, memory, base)
+            conclude_hedged(ints, at + how, weight, degree, memory, target)
         then += THEN_SIZE
 
 
@@ -218,7 +222,7 @@ def visit(ints: Ints, floats: Floats, at: int, mask: int, word: int, memory: Flo
         rule = at + ints[u(table + ((lowest * DE_BRUIJN >> 27) & 31))]
         degree = aggregate(ints, at, rule, memory, base)
         memory[u(base + ints[u(rule + RULE_DEGREE)])] = degree
-        conclude(ints, floats, origin, rule, degree, memory, base)
+        conclude(ints, floats, at, origin, rule, degree, memory, base)
 
 
 @flat

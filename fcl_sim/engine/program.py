@@ -70,8 +70,13 @@ Rule record (i), of varying length:
     … conclusions, THEN_SIZE words each:
     THEN_DEGREE   (m) the accumulated degree
     THEN_SUM      0: accumulate by MAX; 1: sum (BSUM and NSUM are finished with the output); below 0: by the
-                  S-norm of which this is the T-norm, AND_PROD and so on
+                  S-norm of which this is the T-norm, AND_PROD and so on; above 1: (i) a hedged conclusion
     THEN_WEIGHT   a source
+
+Record of a hedged conclusion (i), of varying length:
+    HEDGED_SUM    how it accumulates, as THEN_SUM
+    HEDGED_COUNT  number of hedges
+    HEDGED_FIRST … the hedges, in the order in which they are applied to the rule's degree
 
 Look record (i), a degree that the rules before have accumulated (S27a, S29):
     LOOK_TERM     which term of the variable
@@ -163,6 +168,7 @@ CURVE_HEIGHT, CURVE_PARAMETER, CURVE_SIZE = 5, 6, 10
 SPOT_X, SPOT_DEGREE, SPOT_SIZE = range(3)
 RULE_KIND, RULE_LENGTH, RULE_THEN, RULE_DEGREE, RULE_BODY = range(5)
 THEN_DEGREE, THEN_SUM, THEN_WEIGHT, THEN_SIZE = range(4)
+HEDGED_SUM, HEDGED_COUNT, HEDGED_FIRST = range(3)
 LOOK_TERM, LOOK_TERMS, LOOK_DEGREES, LOOK_GROUPS, LOOK_KINDS, LOOK_SIZE = range(6)
 (
     OUT_VALUE,

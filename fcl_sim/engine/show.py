@@ -143,10 +143,20 @@ def _rules(program: Program) -> Iterator[str]:
         yield f"  {label}: {KINDS[rule[p.RULE_KIND]]} [{body}]"
         for conclusion in range(rule[p.RULE_THEN]):
             then = rule[p.RULE_BODY + length + conclusion * p.THEN_SIZE :]
-            how = HOW.get(then[p.THEN_SUM]) or OPERATORS[then[p.THEN_SUM] + p.OR_MAX - p.AND_MIN]
+            how = _how(then[p.THEN_SUM], program)
             source = then[p.THEN_WEIGHT]
             weight = f", weight {source_text(source, program, names)}" if source != 0 else ""
             yield f"      {how} m{then[p.THEN_DEGREE]}{weight}"
+
+
+def _how(how: int, program: Program) -> str:
+    """Return by what a conclusion accumulates, and the hedges that come before."""
+    if how > 1:
+        record = program.ints[how:].tolist()
+        hedges = record[p.HEDGED_FIRST :][: record[p.HEDGED_COUNT]]
+        words = " ".join(OPERATORS[hedge] for hedge in reversed(hedges))
+        return f"{words}: {_how(record[p.HEDGED_SUM], program)}"
+    return HOW.get(how) or OPERATORS[how + p.OR_MAX - p.AND_MIN]
 
 
 def _body(kind: int, code: list[int], program: Program, names: Names) -> Iterator[str]:

@@ -187,6 +187,8 @@ def _rules(block: FunctionBlock, section: RuleBlock, refuse: Refuse) -> Iterator
                 refuse("a conclusion of the Basic Level has a term: variable IS term", each.span or rule.span)
             if each.weight != 1.0:
                 refuse("the Basic Level has no weights: WITH belongs to Table 9", each.span or rule.span)
+            if each.hedges:
+                refuse("the Basic Level has no hedges", each.span or rule.span)
         conditions = alternatives(rule, inputs, refuse)
         parts = [(condition, each) for condition in conditions for each in rule.conclusions]
         if len(parts) == 1:

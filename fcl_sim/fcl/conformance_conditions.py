@@ -28,6 +28,7 @@ def used_in_rule(rule: Rule, block: RuleBlock, inputs: Container[str]) -> Iterat
         yield Use(span=rule.span, row="subconclusions", words="several subconclusions in a rule")
     for each in rule.conclusions:
         yield Use("conclusions", "variable" if each.term is None else "IS", each.span)
+        yield from (Use("hedges", str(hedge), each.span) for hedge in each.hedges)
         if each.weight != 1.0:
             yield Use("WITH", "variable" if isinstance(each.weight, str) else "constant", each.span)
 

@@ -248,10 +248,10 @@ TABLE_10 = (
     Row(
         "hedge",
         10,
-        "hedges in conditions",
+        "hedges",
         "IS",
-        "very, extremely, somewhat, seldom, any, not",
-        "yes; the last one is applied first (S15)",
+        "very, extremely, somewhat, seldom; in conditions also any, not",
+        "yes; the last one is applied first (S15), in a conclusion to the rule's degree before activation",
     ),
     Row(
         "concluded",

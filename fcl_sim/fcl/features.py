@@ -8,7 +8,7 @@ FEATURES: dict[str, str] = {
     "degree": "degrees of points other than 0 and 1",
     "enabled": "ENABLED: parts that can be switched off",
     "formula": "terms that are formulae",
-    "hedge": "hedges in conditions",
+    "hedge": "hedges",
     "line comment": "comments to the end of the line (Table 11)",
     "lock": "LOCK: outputs held or kept in their range",
     "method": "methods of defuzzification other than those of Table 1",

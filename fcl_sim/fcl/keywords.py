@@ -22,4 +22,7 @@ SETTINGS = {
 
 HEDGES = frozenset(("VERY", "EXTREMELY", "SOMEWHAT", "SELDOM", "ANY"))
 """Hedges of fuzzylite (S15): names where nothing follows that they could hedge."""
+
+CONCLUDED_HEDGES = frozenset(("VERY", "EXTREMELY", "SOMEWHAT", "SELDOM"))
+"""Those of them that may stand in a conclusion: they leave the degree 0 of a rule that does not fire at 0."""
 # fmt: on

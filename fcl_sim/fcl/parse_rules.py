@@ -2,7 +2,7 @@
 
 from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
 from fcl_sim.fcl.findings import Spanned, Stretch
-from fcl_sim.fcl.keywords import HEDGES
+from fcl_sim.fcl.keywords import CONCLUDED_HEDGES, HEDGES
 from fcl_sim.fcl.parse_conditions import DEEPEST, astray, condition
 from fcl_sim.fcl.parse_settings import choice
 from fcl_sim.fcl.parse_values import value, variable
@@ -168,34 +168,42 @@ def _open(cursor: Cursor, opened: list[Token]) -> None:
 
 
 def subconclusion(cursor: Cursor) -> Conclusion:
-    """Read `subconclusion ::= variable ['IS' term_name] ['WITH' weighting_factor]` (5.4.1, S12).
+    """Read `subconclusion ::= variable ['IS' {concluded_hedge} term_name] ['WITH' weighting_factor]`.
 
-    `weighting_factor ::= value`
+    `concluded_hedge ::= 'VERY' | 'EXTREMELY' | 'SOMEWHAT' | 'SELDOM'` (Open Level);
+    `weighting_factor ::= value` (5.4.1, S12)
     """
     name = variable(cursor, "the name of an output variable", _AFTER_VARIABLE)
     term = None
     weight = None
+    hedges: list[Token] = []
     if cursor.take("IS"):
-        if cursor.token.key == "NOT":
-            hint = "name the term that is meant"
-            raise cursor.refuse("FCL215", "a conclusion cannot be negated", cursor.token, hint)
-        if _at_hedge(cursor):
-            raise _refuse_hedge(cursor)
+        while _at_hedge(cursor):
+            hedges.append(_concluded_hedge(cursor))
+            if len(hedges) > DEEPEST:
+                raise cursor.refuse("FCL208", f"there are more than {DEEPEST} hedges here", cursor.last)
         term = cursor.name(f"a term of {name.shown}", _AFTER_TERM)
     if cursor.take("WITH"):
         weight = value(cursor, "a weighting factor, a number from 0 to 1 or the name of a variable,")
-    return Conclusion(name, term, weight, name.start, cursor.last.end)
+    return Conclusion(name, term, weight, name.start, cursor.last.end, tuple(hedges))
 
 
 def _at_hedge(cursor: Cursor) -> bool:
     """Return whether a hedge comes next: a term may have the name of one (S1a)."""
+    if cursor.token.key == "NOT":
+        return True
     following = cursor.ahead()
     goes_on = following.kind is Kind.NAME and following.key not in _AFTER_TERM
     return cursor.token.key in HEDGES and goes_on and not cursor.at_statement(1)
 
 
-def _refuse_hedge(cursor: Cursor) -> Astray:
-    message = f"a conclusion cannot have the hedge {cursor.token.shown}"
-    return cursor.refuse(
-        "FCL215", message, cursor.token, "hedges stand in conditions; WITH weighs a conclusion"
-    )
+def _concluded_hedge(cursor: Cursor) -> Token:
+    """Take a hedge; refuse those after which a rule that does not fire would conclude."""
+    token = cursor.token
+    if token.key == "NOT":
+        hint = "name the term that is meant"
+        raise cursor.refuse("FCL215", "a conclusion cannot be negated", token, hint)
+    if token.key not in CONCLUDED_HEDGES:
+        message = f"a conclusion cannot have the hedge {token.shown}: the rule's degree would not count"
+        raise cursor.refuse("FCL215", message, token, "leave it out; WITH weights a conclusion")
+    return cursor.advance()

@@ -1,6 +1,9 @@
 """Conditions → the model (5.2.4, S27 to S29)."""
 
+from collections.abc import Sequence
+
 from fcl_sim.fcl import tree
+from fcl_sim.fcl.findings import Spanned
 from fcl_sim.fcl.scope import Declared, Role, Scope, Terms
 from fcl_sim.fcl.tokens import Kind, Token
 from fcl_sim.model import And, Condition, Degree, Hedge, Is, Not, Or
@@ -66,11 +69,7 @@ def _is(scope: Scope, condition: tree.Is) -> Condition | None:
         scope.findings.warning("FCL351", message, condition)
     if term is None:
         return None
-    if hedges:
-        words = " ".join(each.text for each in hedges)
-        feature = f"the hedge{'' if len(hedges) == 1 else 's'} {words}"
-        scope.findings.feature("hedge", feature, condition)
-    kinds = tuple(Hedge(each.key.lower()) for each in hedges)
+    kinds = resolve_hedges(scope, hedges, condition)
     found = Is(declared.name, term, scope.findings.span(condition), hedges=kinds)
     return found if condition.negation is None else Not(found)
 
@@ -137,6 +136,14 @@ def _hedges(condition: tree.Is, terms: Terms) -> tuple[Token, ...]:
     """Return the hedges; ANY in the place of a term is one unless a term is called so (S1a)."""
     stands_alone = condition.term.key == "ANY" and "ANY" not in terms.names
     return (*condition.hedges, condition.term) if stands_alone else condition.hedges
+
+
+def resolve_hedges(scope: Scope, hedges: Sequence[Token], part: Spanned) -> tuple[Hedge, ...]:
+    """Return hedges, and note them on the subcondition or subconclusion that has them."""
+    if hedges:
+        words = " ".join(each.text for each in hedges)
+        scope.findings.feature("hedge", f"the hedge{'' if len(hedges) == 1 else 's'} {words}", part)
+    return tuple(Hedge(each.key.lower()) for each in hedges)
 
 
 # -- members of structures

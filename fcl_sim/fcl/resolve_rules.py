@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from fcl_sim.fcl.findings import Stretch
-from fcl_sim.fcl.resolve_conditions import nesting_depth, resolve_condition
+from fcl_sim.fcl.resolve_conditions import nesting_depth, resolve_condition, resolve_hedges
 from fcl_sim.fcl.resolve_settings import (
     ACCUMULATIONS,
     ACTIVATIONS,
@@ -111,7 +111,8 @@ def _conclusion(scope: Scope, conclusion: Conclusion) -> ModelConclusion | None:
         return None
     if weight is None:
         return None
-    return ModelConclusion(declared.name, term, weight, scope.findings.span(conclusion))
+    hedges = resolve_hedges(scope, conclusion.hedges, conclusion)
+    return ModelConclusion(declared.name, term, weight, scope.findings.span(conclusion), hedges=hedges)
 
 
 def _concluded_term(scope: Scope, declared: Declared, conclusion: Conclusion, term: Token) -> str | None:

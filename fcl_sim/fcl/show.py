@@ -122,7 +122,8 @@ def _rule(source: Source, rule: tree.Rule) -> Iterator[str]:
     yield from (STEP + line for line in _condition(rule.condition))
     yield "THEN"
     for each in rule.conclusions:
-        term = f" IS {each.term.text}" if each.term else ""
+        words = ["IS", *(word.text for word in each.hedges), each.term.text] if each.term else []
+        term = "".join(f" {word}" for word in words)
         weight = f" WITH {_words(source, each.weight)}" if each.weight else ""
         yield f"{STEP}{each.variable.text}{term}{weight}"
 
@@ -228,7 +229,7 @@ def _rule_block(block: RuleBlock) -> Iterator[str]:
 def _conclusions(rule: Rule) -> str:
     parts = []
     for each in rule.conclusions:
-        term = "" if each.term is None else f" IS {each.term}"
+        term = "" if each.term is None else f" {' '.join(('IS', *each.hedges, each.term))}"
         weight = "" if each.weight == 1.0 else f" WITH {_number(each.weight)}"
         parts.append(f"{each.variable}{term}{weight}")
     return ", ".join(parts)

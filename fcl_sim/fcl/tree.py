@@ -263,13 +263,14 @@ Condition = Is | Token | Member | Not | Group | And | Or
 
 @dataclass(frozen=True, slots=True)
 class Conclusion:
-    """`variable IS term WITH weight`; the last two may be absent."""
+    """`variable IS hedges term WITH weight`; all but the first may be absent."""
 
     variable: Token
     term: Token | None
     weight: Value | None
     start: int
     end: int
+    hedges: tuple[Token, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

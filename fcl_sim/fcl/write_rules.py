@@ -34,7 +34,7 @@ def _heading(label: str) -> str:
 
 def conclusion(part: Conclusion) -> str:
     """Return a subconclusion; a weight of 1 is not written."""
-    term = "" if part.term is None else f" IS {part.term}"
+    term = "" if part.term is None else f" {' '.join(('IS', *part.hedges, part.term))}"
     weight = "" if part.weight == 1.0 else f" WITH {number(part.weight)}"
     return f"{part.variable}{term}{weight}"
 

@@ -53,15 +53,18 @@ Condition = Is | Degree | Not | And | Or
 
 @dataclass(frozen=True, slots=True)
 class Conclusion:
-    """The subconclusion `variable IS term WITH weight`.
+    """The subconclusion `variable IS hedges term WITH weight`.
 
     `term` is None where a variable alone is concluded. A text for `weight` is
     the name of the input variable that holds it; a number lies in [0, 1].
+    Hedges (Open Level) change the rule's degree before activation, the last
+    one first; they are of those that leave 0 and 1 where they are.
     """
 
     variable: str
     term: str | None
     weight: float | str = 1.0
+    hedges: tuple[Hedge, ...] = field(default=(), kw_only=True)
     span: Span | None = field(default=None, compare=False, repr=False)
 
 

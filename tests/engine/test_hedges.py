@@ -10,7 +10,19 @@ from fcl_sim.engine.entries import evaluate_one
 from fcl_sim.engine.evaluate import evaluate
 from fcl_sim.engine.explain import explain
 from fcl_sim.engine.show import program_text
-from fcl_sim.model import And, AndOperator, Hedge, Is, Not, Or, RuleBlock
+from fcl_sim.model import (
+    Accumulation,
+    And,
+    AndOperator,
+    Conclusion,
+    Hedge,
+    Is,
+    Method,
+    Not,
+    Or,
+    Rule,
+    RuleBlock,
+)
 from tests.engine.bases import block, output, points, rule, singleton
 
 RISING = (points("t", (0, 0), (1, 1)),)
@@ -105,3 +117,98 @@ def test_explain_shows_the_hedges_and_their_formula():
 def test_one_rule_that_never_fires_leaves_the_default():
     made = base(hedged(Hedge.VERY, Hedge.NOT, Hedge.ANY))
     assert evaluate(assemble(made), {"x": 0.5}).outputs["y"] == 0.0
+
+
+# -- in conclusions
+
+DEGREES_OF = (points("t", (0, 0), (1, 1)),)
+
+
+def with_hedges(term, weight, *hedges):
+    return Conclusion("y", term, weight, hedges=hedges)
+
+
+CONCLUDED = (Hedge.VERY, Hedge.EXTREMELY, Hedge.SOMEWHAT, Hedge.SELDOM)
+
+
+def balance(accumulation, *conclusions):
+    made = RuleBlock(
+        name="r",
+        accumulation=accumulation,
+        rules=tuple(Rule("1", Is("x", "t"), (each,)) for each in conclusions),
+    )
+    return block({"x": DEGREES_OF}, (output("y", singleton("s", 1), singleton("z", 0)),), made)
+
+
+@pytest.mark.parametrize("hedge", CONCLUDED)
+@pytest.mark.parametrize("x", [0.1, 0.25, 0.5, 0.625, 0.9, 1.0])
+def test_a_hedge_in_a_conclusion_changes_the_rule_s_degree_before_its_weight(hedge, x):
+    base = balance(Accumulation.MAX, with_hedges("s", 0.5, hedge), with_hedges("z", 0.25))
+    hedged_degree = 0.5 * FORMULAE[hedge](x)
+    found = evaluate(assemble(base), {"x": x}).outputs["y"]
+    assert found == pytest.approx(hedged_degree / (hedged_degree + 0.25 * x), rel=1e-15)
+
+
+def test_the_last_hedge_of_a_conclusion_is_applied_first():
+    base = balance(
+        Accumulation.MAX, with_hedges("s", 1.0, Hedge.EXTREMELY, Hedge.SOMEWHAT), with_hedges("z", 1.0)
+    )
+    degree = 1 - 2 * (1 - sqrt(0.36)) ** 2
+    assert evaluate(assemble(base), {"x": 0.36}).outputs["y"] == pytest.approx(
+        degree / (degree + 0.36), rel=1e-14
+    )
+
+
+@pytest.mark.parametrize(
+    ("accumulation", "expected"),
+    [
+        (Accumulation.MAX, 0.5),
+        (Accumulation.BSUM, 0.75),
+        (Accumulation.SUM, 0.75),
+        (Accumulation.ASUM, 0.625),
+    ],
+)
+def test_hedged_conclusions_accumulate_with_the_others(accumulation, expected):
+    base = balance(
+        accumulation, with_hedges("s", 1.0, Hedge.VERY), with_hedges("s", 1.0), with_hedges("z", 1.0)
+    )
+    found = evaluate(assemble(base), {"x": 0.5}).outputs["y"]
+    assert found == pytest.approx(expected / (expected + 0.5), rel=1e-15)
+
+
+def test_an_area_is_cut_off_at_the_hedged_degree():
+    area = output("y", points("s", (0, 0), (1, 1)), method=Method.LM)
+    made = RuleBlock(name="r", rules=(Rule("1", Is("x", "t"), (with_hedges("s", 1.0, Hedge.VERY),)),))
+    base = block({"x": DEGREES_OF}, (area,), made)
+    assert evaluate(assemble(base), {"x": 0.5}).outputs["y"] == 0.25
+
+
+def test_a_hedged_conclusion_is_explained_and_shown():
+    base = balance(Accumulation.ASUM, with_hedges("s", 0.5, Hedge.SELDOM, Hedge.VERY), with_hedges("z", 1.0))
+    program = assemble(base)
+    memory = program.initial.copy()
+    memory[0] = 0.5
+    told = explain(base, program, memory)
+    seldom = sqrt(0.25 / 2)
+    assert [each.activated for each in told.activated] == [pytest.approx(seldom), 0.5]
+    assert told.activated[0].degree == pytest.approx(0.5 * seldom)
+    assert told.accumulated[0].degrees[0].degree == pytest.approx(0.5 * seldom)
+    assert "seldom very: ASUM" in program_text(program)
+
+
+def test_what_later_conditions_ask_for_counts_hedges():
+    rules = (
+        Rule("1", Is("x", "t"), (with_hedges("s", 1.0, Hedge.VERY),)),
+        Rule("2", Is("y", "s"), (with_hedges("z", 1.0),)),
+    )
+    base = block(
+        {"x": DEGREES_OF},
+        (output("y", singleton("s", 1), singleton("z", 0)),),
+        RuleBlock(name="r", rules=rules),
+    )
+    program = assemble(base)
+    memory = program.initial.copy()
+    memory[0] = 0.5
+    told = explain(base, program, memory)
+    assert told.aggregated[1].degree == 0.25
+    assert told.aggregated[1].subconditions[0].degree == 0.25

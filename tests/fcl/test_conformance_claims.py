@@ -85,7 +85,7 @@ EXAMPLES = {
     ],
     "further method": [[("METHOD: CoGS", "METHOD: COGSS")], [*AREAS, ("METHOD: CoG", "METHOD: MM")]],
     "further default": [[("DEFAULT := 0", f"DEFAULT := {each}")] for each in ("nan", "3 | NC")],
-    "hedge": [[(IF, "temp IS very cold")]],
+    "hedge": [[(IF, "temp IS very cold")], [(THEN, "THEN valve IS seldom inlet")]],
     "concluded": [[(THEN, f"{THEN};\n    RULE 3: IF valve IS inlet THEN valve IS closed")]],
     "own accumulation": setting("ACCU: BSUM"),
     "input range": [[(SECTION, f"{SECTION} RANGE := (0 .. 30);")]],

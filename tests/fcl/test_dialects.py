@@ -169,6 +169,24 @@ def test_hedges_stand_before_their_term_in_the_order_of_the_text(written, expect
     assert condition(written) == expected
 
 
+@pytest.mark.parametrize(
+    ("written", "hedges"),
+    [
+        ("valve IS very inlet", (Hedge.VERY,)),
+        ("valve IS seldom extremely inlet WITH 0.5", (Hedge.SELDOM, Hedge.EXTREMELY)),
+        ("(valve IS SOMEWHAT inlet)", (Hedge.SOMEWHAT,)),
+    ],
+)
+def test_hedges_of_a_conclusion_are_read_noted_and_written_back(written, hedges):
+    text = with_rule(f"RULE 1: IF temp IS cold THEN {written};")
+    found = block(text)
+    (conclusion,) = found.rule_blocks[0].rules[0].conclusions
+    assert (conclusion.term, conclusion.hedges) == ("inlet", hedges)
+    assert "hedge" in {note.code for note in found.notes}
+    again = block(fcl.write(found))
+    assert again.rule_blocks == found.rule_blocks
+
+
 def test_a_term_may_have_the_name_of_a_hedge():  # S1a
     text = BATH.replace("cold", "very")
     assert codes(text) == []

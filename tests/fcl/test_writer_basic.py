@@ -128,6 +128,7 @@ def test_operators_and_accu_that_have_nothing_to_do_become_those_of_the_basic_le
         ([("level IS low", "NOT (level IS low AND temp IS hot)")],
          ["the Basic Level has no NOT: it belongs to Table 9"]),
         ([("level IS low", "level IS very low")], ["the Basic Level has no hedges"]),
+        ([("valve IS inlet", "valve IS very inlet")], ["the Basic Level has no hedges"]),
         ([("level IS low", "level")],
          ["the Basic Level has no degrees brought in from outside: they belong to Table 9"]),
         ([("temp IS hot OR", "valve IS inlet OR")], ["a condition of the Basic Level is about inputs alone"]),

@@ -147,6 +147,14 @@ def subcondition(variable, term):
     return st.one_of(st.just(Is(variable, term)), hedged, st.just(Is(variable, "", hedges=(Hedge.ANY,))))
 
 
+def concluded_hedges(term):
+    """Draw hedges before a concluded term; a variable alone has none."""
+    if term is None:
+        return st.just(())
+    fitting = (Hedge.VERY, Hedge.EXTREMELY, Hedge.SOMEWHAT, Hedge.SELDOM)
+    return st.lists(st.sampled_from(fitting), max_size=2).map(tuple)
+
+
 def conditions(leaves):
     """Draw conditions of any nesting."""
 
@@ -165,7 +173,10 @@ def rules(draw, leaves, ends, inputs):
     for label in draw(st.lists(LABELS, max_size=4)) if leaves and ends else ():
         concluded = draw(st.lists(st.sampled_from(ends), min_size=1, max_size=3))
         weights = st.one_of(st.just(1.0), DEGREES, st.sampled_from(inputs))
-        conclusions = tuple(Conclusion(variable, term, draw(weights)) for variable, term in concluded)
+        conclusions = tuple(
+            Conclusion(variable, term, draw(weights), hedges=draw(concluded_hedges(term)))
+            for variable, term in concluded
+        )
         found.append(Rule(label, draw(conditions(leaves)), conclusions))
         leaves += [
             st.just(Degree(variable)) if term is None else subcondition(variable, term)
