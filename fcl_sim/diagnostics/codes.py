@@ -27,7 +27,7 @@ CODES: dict[str, str] = {
     "FCL209": "a name is missing",
     "FCL210": "text behind END_FUNCTION_BLOCK is ignored",
     "FCL211": "something stands outside of FUNCTION_BLOCK",
-    "FCL212": "a point has more than two numbers",
+    "FCL212": "there are more numbers than are meant: a decimal comma",
     "FCL213": "a rule does not begin with RULE",
     "FCL214": "subconclusions are joined by AND",
     "FCL215": "a conclusion cannot have OR, NOT or ANY",

@@ -12,6 +12,7 @@ DEEPEST = 50
 """Parentheses and NOT within one another: what is deeper is refused."""
 
 _AFTER_VARIABLE = frozenset(("IS", "=", ".", "AND", "OR", "THEN", ")"))
+_BEFORE_VARIABLE = frozenset(("IF", "AND", "OR", "NOT", "("))
 _AFTER_TERM = frozenset(("AND", "OR", "THEN", ")"))
 
 
@@ -66,11 +67,14 @@ def condition(cursor: Cursor) -> Condition:
 def astray(cursor: Cursor, wanted: str) -> Astray:
     """Report what follows a subcondition where one of `wanted` is expected; return what to raise."""
     word, following = cursor.last, cursor.token
-    if word.kind is following.kind is Kind.NAME and cursor.ahead().key in _AFTER_TERM:
+    is_pair = word.kind is following.kind is Kind.NAME and cursor.ahead().key in _AFTER_TERM
+    if is_pair and cursor.ahead(-2).key not in _BEFORE_VARIABLE:
         near = cursor.findings.near(word.key, HEDGES)
         if near:
             message = f"{word.shown} before the term {following.shown} is not a hedge"
             return cursor.refuse("FCL201", message, word, f"did you mean {near.lower()}?")
+    if cursor.ahead(-2).key in _BEFORE_VARIABLE:
+        return cursor.stray(f"IS, {wanted} is expected after {word.shown}", lambda: _advice(cursor))
     return cursor.stray(f"{wanted} is expected after a subcondition", lambda: _advice(cursor))
 
 
@@ -112,6 +116,10 @@ def subcondition(cursor: Cursor) -> Condition:
     if cursor.token.key == "." and cursor.ahead().key == "=":
         cursor.advance()
     if cursor.take("="):
+        if cursor.token.key == "=":
+            raise cursor.refuse(
+                "FCL201", "IS is expected, not `==`", cursor.token, f"write `{name.text} IS …`"
+            )
         member = cursor.name("the name of a member", _AFTER_TERM)
         return Member(name, member, name.start, member.end)
     return name
@@ -125,6 +133,9 @@ def _is(cursor: Cursor, name: Token) -> Is:
         hedges.append(cursor.advance())
         if len(hedges) > DEEPEST:
             raise cursor.refuse("FCL208", f"there are more than {DEEPEST} hedges here", cursor.last)
+    if cursor.token.key == "(":
+        hint = f"write ({name.text} IS … OR {name.text} IS …)"
+        raise cursor.stray(f"a term of {name.shown} is expected", hint, code="FCL209")
     term = cursor.name(f"a term of {name.shown}", _AFTER_TERM)
     return Is(name, negation, term, name.start, cursor.last.end, tuple(hedges))
 

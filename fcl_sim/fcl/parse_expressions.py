@@ -22,6 +22,8 @@ _ARGUMENTS = {
 }
 """How many arguments functions take; the others take one."""
 
+_OPERANDS = 2
+"""Of an operator; fuzzylite has fmod as well as its sign."""
 _NEGATION = "~"
 _BINDING = {"+": 1, "-": 1, "*": 2, "/": 2, "%": 2, _NEGATION: 3, "^": 4}
 """How tightly an operator binds; `~` is the minus before its one argument."""
@@ -161,7 +163,9 @@ def _close(cursor: Cursor, levels: list[_Level], *, natural: bool) -> None:
     levels[-1].values.append((made, depth))
 
 
-def _call(cursor: Cursor, name: Token, arguments: tuple[Expression, ...], *, natural: bool) -> Call:
+def _call(cursor: Cursor, name: Token, arguments: tuple[Expression, ...], *, natural: bool) -> Expression:
+    if name.key == "FMOD" and len(arguments) == _OPERANDS:
+        return Operation(Operator.MODULUS, arguments)
     functions = {each.upper(): each for each in Function}
     also = _ALSO | ({"LOG": "ln"} if natural else {})
     function = functions.get(also.get(name.key, name.key).upper())

@@ -1,5 +1,7 @@
 """RULEBLOCK and its rules (5.2.4)."""
 
+import re
+
 from fcl_sim.fcl.cursor import Astray, Cursor, is_joined_rule
 from fcl_sim.fcl.findings import Spanned, Stretch
 from fcl_sim.fcl.keywords import CONCLUDED_HEDGES, HEDGES
@@ -14,6 +16,10 @@ _WORDS = (Kind.NAME, Kind.NUMBER, Kind.MIXED)
 _BEGINS_STATEMENT = frozenset(("AND", "OR", "ACT", "ACCU", "ENABLED", "RULE", "IF"))
 _AFTER_VARIABLE = frozenset(("IS", "WITH", ",", ";", "AND", ")"))
 _AFTER_TERM = frozenset(("WITH", ",", ";", "AND", ")"))
+
+
+LONGEST_LABEL = 8
+"""In words, of a label that is taken for one although it is none."""
 
 
 def rule_block(cursor: Cursor) -> RuleBlock:
@@ -54,11 +60,12 @@ def _block_name(cursor: Cursor, opening: Token) -> tuple[Token | None, bool]:
         cursor.findings.warning("FCL218", "this rule block has no name", opening, hint)
         return None, False
     try:
-        name = cursor.name("the name of a rule block")
+        is_number = token.kind in {Kind.NUMBER, Kind.MIXED} and not cursor.starts_line()
+        name = cursor.advance() if is_number else cursor.name("the name of a rule block")
     except Astray:
         cursor.skip_line()
         return None, True
-    if _is_longer(cursor):
+    if is_number or _is_longer(cursor):
         while _is_longer(cursor):
             cursor.advance()
         words = cursor.words(name.start)
@@ -80,6 +87,7 @@ def _rule(cursor: Cursor, number: int) -> Rule:
     joined = is_joined_rule(cursor.token, cursor.ahead())
     keyword = cursor.advance()
     label = keyword.text[len("RULE") :].lstrip("_") if joined else _label(cursor, keyword)
+    _rest_of_label(cursor, keyword)
     heading_end = cursor.last.end
     if cursor.token.key == "IF":
         cursor.report("`:` is expected after the label of the rule")
@@ -104,6 +112,23 @@ def _label(cursor: Cursor, keyword: Token) -> str:
     return label
 
 
+def _rest_of_label(cursor: Cursor, keyword: Token) -> None:
+    """Report a label that goes on behind another sign, such as `3-a`, and go on at its colon."""
+    steps = 0
+    while cursor.ahead(steps).key not in {":", "IF"} and steps < LONGEST_LABEL:
+        steps += 1
+    if steps == 0 or cursor.ahead(steps).key != ":" or cursor.ahead(steps + 1).key != "IF":
+        return
+    start, is_known = cursor.token.start, False
+    while cursor.token.key != ":":
+        is_known |= cursor.advance().kind is Kind.STRAY
+    if is_known:
+        return
+    hint = f"write `RULE {re.sub(r'[^0-9A-Za-z]+', '_', cursor.words(keyword.end))}: IF …`"
+    message = "the label of a rule is a run of letters, digits and underscores"
+    cursor.findings.error("FCL201", message, cursor.since(start), hint)
+
+
 def _bare_rule(cursor: Cursor, number: int) -> Rule:
     token = cursor.advance()
     cursor.findings.error("FCL213", "a rule begins with RULE and a label", token, hint="write `RULE 1: IF …`")
@@ -117,6 +142,8 @@ def _body(cursor: Cursor, heading: Spanned, label: str) -> Rule:
         raise astray(cursor, "AND, OR or THEN")
     conclusions = conclusion(cursor)
     end = cursor.last.end
+    if cursor.token.key == "ELSE":
+        raise cursor.refuse("FCL201", "FCL has no ELSE", cursor.token, "write another rule: IF NOT … THEN …")
     cursor.end_statement()
     return Rule(
         label=label,
@@ -177,6 +204,9 @@ def subconclusion(cursor: Cursor) -> Conclusion:
     term = None
     weight = None
     hedges: list[Token] = []
+    goes_on = cursor.token.kind is Kind.NAME and not (cursor.starts_line() or cursor.at_statement())
+    if goes_on and cursor.token.key not in {*_AFTER_VARIABLE, "OR", "ELSE"}:
+        raise cursor.stray(f"IS is expected after {name.shown}")
     if cursor.take("IS"):
         while _at_hedge(cursor):
             hedges.append(_concluded_hedge(cursor))

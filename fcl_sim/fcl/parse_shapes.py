@@ -1,11 +1,15 @@
 """Membership functions by name, in the spellings of both families (Open Level, S15)."""
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 from fcl_sim.fcl.cursor import Cursor
 from fcl_sim.fcl.parse_expressions import expression
 from fcl_sim.fcl.parse_values import at_extreme, at_value, limit, value
 from fcl_sim.fcl.tokens import Kind
 from fcl_sim.fcl.tree import Formula, Named, Value
 
+_OF_PAIRS = frozenset(("SINGLETONS", "DISCRETE"))
 _PARAMETER = "a parameter, a number or the name of a variable,"
 
 
@@ -30,7 +34,21 @@ def shape(cursor: Cursor) -> Named | Formula:
         cursor.take(",") or cursor.token.key == "(" or (at_value(cursor.token) and not cursor.at_statement())
     ):
         values += _group(cursor)
+    if name.key not in _OF_PAIRS:
+        _refuse_decimal_comma(cursor, values)
     return Named(name, tuple(values), cursor.last.end)
+
+
+def _refuse_decimal_comma(cursor: Cursor, values: Sequence[Value]) -> None:
+    """Refuse numbers that a comma joins where blanks part the others: `0,25 0,5` would be four."""
+    gaps = [cursor.source.text[before.end : after.start] for before, after in pairwise(values)]
+    if "," in gaps and any(not gap.strip() for gap in gaps):
+        raise cursor.refuse(
+            "FCL212",
+            "these parameters are parted by blanks and by commas",
+            cursor.since(values[0].start),
+            hint="a decimal fraction is written with a point: 0.5",
+        )
 
 
 def _group(cursor: Cursor) -> list[Value]:

@@ -1,6 +1,7 @@
 """FUZZIFY and DEFUZZIFY (5.2.2, 5.2.3)."""
 
 from fcl_sim.fcl.cursor import Astray, Cursor
+from fcl_sim.fcl.keywords import SETTINGS
 from fcl_sim.fcl.parse_settings import choice, default_value, lock, output_range
 from fcl_sim.fcl.parse_terms import term
 from fcl_sim.fcl.parse_values import variable
@@ -76,6 +77,8 @@ def defuzzify(cursor: Cursor) -> Defuzzify:
 def section_name(cursor: Cursor, what: str) -> Token | None:
     """Return the name behind a section's keyword, or None, once that has been reported."""
     try:
+        if cursor.ahead().key in SETTINGS.get(cursor.token.key, ()):
+            raise cursor.stray(f"{what} is expected", code="FCL209")
         name = variable(cursor, what, _AFTER_NAME)
     except Astray:
         cursor.skip_line()

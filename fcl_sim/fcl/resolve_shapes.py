@@ -43,12 +43,15 @@ def _corners(*degrees: float) -> Maker:
 
 
 def _rectangle(parameters: Sequence[Parameter], height: float) -> Points:
-    start, end = parameters
-    return Points((Point(start, 0.0), Point(start, height), Point(end, height), Point(end, 0.0)))
+    degrees = (0.0, height, height, 0.0)
+    points = (Point(parameters[place // 2], degree) for place, degree in enumerate(degrees))
+    return Points(tuple(each for each in points if not _is_infinite(each.x)))
 
 
 def _ramp(parameters: Sequence[Parameter], height: float) -> Points | str:
     start, end = parameters
+    if _is_infinite(start) or _is_infinite(end):
+        return "they must be finite"
     if isinstance(start, float) and isinstance(end, float):
         if start == end:
             return "its start and its end are the same"
@@ -57,8 +60,10 @@ def _ramp(parameters: Sequence[Parameter], height: float) -> Points | str:
     return Points((Point(start, 0.0), Point(end, height)))
 
 
-def _binary(parameters: Sequence[Parameter], height: float) -> Points:
+def _binary(parameters: Sequence[Parameter], height: float) -> Points | str:
     start, direction = parameters
+    if _is_infinite(start):
+        return "its start must be finite"
     rises = not isinstance(start, float) or not isinstance(direction, float) or direction > start
     degrees = (0.0, height) if rises else (height, 0.0)
     return Points(tuple(Point(start, each) for each in degrees))

@@ -14,6 +14,7 @@ from fcl_sim.fcl.resolve_settings import (
 )
 from fcl_sim.fcl.resolve_terms import resolve_terms
 from fcl_sim.fcl.scope import Declared, Role, Scope, Terms
+from fcl_sim.fcl.tokens import Token
 from fcl_sim.fcl.tree import Defuzzify, Fuzzify, Range, Setting
 from fcl_sim.model import (
     Curve,
@@ -177,7 +178,8 @@ def _suited(scope: Scope, setting: Setting, chosen: Method, fitting: Method) -> 
         message = "CoA is not applicable to singletons (Table 1, note 3)"
         scope.findings.error("FCL331", message, at, hint="CoGS, LM and RM are")
     elif chosen in {Method.COGS, Method.SUM} and fitting is Method.COG:
-        message = f"{chosen} is a method for singletons, and these terms have an area"
+        written = at.text if isinstance(at, Token) else chosen
+        message = f"{written} is a method for singletons, and these terms have an area"
         scope.findings.error("FCL331", message, at, hint="CoG, CoA, LM and RM are for areas")
     return chosen
 

@@ -99,6 +99,8 @@ def guess(cursor: Cursor, opening: Token, end: str, readers: Mapping[str, Reader
     if token.kind is Kind.STRAY:
         raise Astray
     message = f"{token.shown} does not begin a statement of {opening.key}"
+    if token.key == "RULE" and cursor.ahead().key == "BLOCK":
+        raise cursor.refuse("FCL204", message, token, hint="write RULEBLOCK in one word")
     if token.key in _HOMES:
         raise cursor.refuse("FCL204", message, token, hint=f"{token.key} stands in {_HOMES[token.key]}")
     meant = cursor.findings.near(token.key, readers)

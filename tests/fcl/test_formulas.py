@@ -61,6 +61,8 @@ def value(expression):
         ("max(1, temp, 2) + min(level, 1)", 3.25),
         ("pow(2, 3) + atan2(0, 1)", 8),
         ("sqrt(16) % 3", 1),
+        ("2 + fmod(7, 4)", 5),
+        ("FMOD(7, 4) ^ 2", 9),
         ("pi", math.pi),
         ("ln(exp(2))", 2),
         ("abs(-3) + fabs(-4)", 7),

@@ -89,3 +89,8 @@ def test_a_wrong_number_of_parameters_is_met_with_their_names():
 def test_degrees_of_any_kind_of_shape_stay_between_0_and_1():
     for written in ("Triangle 0 1 2 1.5", "Discrete 0 2", "Ramp 0 1 -1"):
         assert codes(changed(("(3, 1) (27, 0)", written))) == ["FCL317"]
+
+
+def test_a_rectangle_may_have_an_end_in_infinity():
+    assert shape("Rectangle -inf 0.5") == Points((Point(0.5, 1.0), Point(0.5, 0.0)))
+    assert shape("Rectangle 0.5 inf") == Points((Point(0.5, 0.0), Point(0.5, 1.0)))
