@@ -128,6 +128,7 @@ CODES: dict[str, str] = {
     "RUN201": "the report cannot be written",
     "RUN202": "another run is writing its report into the same folder",
     "RUN203": "SOURCE_DATE_EPOCH is not a date",
+    "RUN301": "a function of a `python` block fails",
     "SCN101": "a file of a scenario cannot be read",
     "SCN102": "a file is not TOML",
     "SCN103": "a key is given twice",

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from fcl_sim.block import Block
 from fcl_sim.diagnostics import Span
 from fcl_sim.plant.catalog import PlantModel
-from fcl_sim.units import Quantity
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,13 +23,17 @@ class Node:
     """A block of `loop.blocks.BLOCKS`, by its type's name.
 
     `name` is its path (`controller.speed`); its outputs are signals below that
-    path, or that path itself where it has one output.
+    path, or that path itself where it has one output. `inputs` are wires by
+    port; the signals of a list have the ports 1, 2, ... `parameters` are
+    quantities, tuples of them for lists, tuples of rows for tables, else what
+    `loop.blocks.declaration.KINDS` says. `places` is where they are written.
     """
 
     name: str
     type: str
-    inputs: Mapping[str, Wire]
-    parameters: Mapping[str, Quantity] = field(default_factory=dict)
+    inputs: Mapping[str, Wire] = field(default_factory=dict)
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    places: Mapping[str, Span] = field(default_factory=dict, compare=False, repr=False)
     span: Span | None = field(default=None, compare=False, repr=False)
 
 

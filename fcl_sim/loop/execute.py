@@ -1,25 +1,114 @@
-"""Execute the blocks of a tape once, in wiring order."""
+"""Execute the blocks of a tape once, in wiring order.
 
-from fcl_sim.jit import inlined, u
+The commonest blocks are copied into the loop. All others are behind one
+function that is compiled when a tape first needs it, and called through a
+first-class function, so that they cost a loop without them neither time nor
+compilation.
+"""
+
+from collections.abc import Callable
+
+from fcl_sim.jit import Entry, F, I, entry, f8, function_type, i8, inlined, signature, u, void
+from fcl_sim.loop.blocks import calculation, delays, nonlinear, sources
 from fcl_sim.loop.blocks.differentiator import differentiate
 from fcl_sim.loop.blocks.fuzzy import evaluate
+from fcl_sim.loop.blocks.integrator import integrate
+from fcl_sim.loop.blocks.limiter import limit
 from fcl_sim.loop.blocks.linear import gain, weighted_sum
-from fcl_sim.loop.layout import OPCODE, ROW_LENGTH, ROWS, ROWS_AT
+from fcl_sim.loop.layout import KEEPS, KEEPS_AT, OPCODE, ROW_LENGTH, ROWS_END
+from fcl_sim.loop.row import Row
 from fcl_sim.loop.work import Floats, Ints
+
+Further = Callable[[int, Ints, Floats, Floats, int, float, float, int], None]
+"""A function that executes one row: opcode, tape, memory, where the row begins, cycle, time, scan."""
+
+_FURTHER = (void, i8, I, F, F, i8, f8, f8, i8)
+
+FURTHER_TYPE = function_type(*_FURTHER)
+
+PYTHON_OPCODE = 6
+FAMILY_SHIFT, CODE_MASK = 5, 31
 
 
 @inlined
-def execute(ints: Ints, floats: Floats, memory: Floats, cycle: float) -> None:
-    """Execute every block row, `cycle` being the cycle time in seconds."""
-    at = ints[u(ROWS_AT)]
-    for _ in range(ints[u(ROWS)]):
+def execute(row: Row, further: Further) -> int:
+    """Execute the block rows from `row` on; return where the rows end.
+
+    A block in Python ends it before: then it is where that block's row begins.
+    """
+    ints, floats, memory, at, cycle, time, scan = row
+    end = ints[u(ROWS_END)]
+    while at != end:
         opcode = ints[u(at + OPCODE)]
+        here = Row(ints, floats, memory, at, cycle, time, scan)
         if opcode == 0:
-            weighted_sum(ints, floats, memory, at)
+            weighted_sum(here)
         elif opcode == 1:
-            gain(ints, floats, memory, at)
+            gain(here)
         elif opcode == 2:
-            differentiate(ints, floats, memory, at, cycle)
+            differentiate(here)
         elif opcode == 3:
             evaluate(ints, floats, memory, at)
+        elif opcode == 4:
+            limit(here)
+        elif opcode == 5:
+            integrate(here)
+        elif opcode == PYTHON_OPCODE:
+            return at
+        else:
+            further(opcode, ints, floats, memory, at, cycle, time, scan)
         at += ints[u(at + ROW_LENGTH)]
+    keep_late(ints, floats, memory)
+    return at
+
+
+@inlined
+def keep_late(ints: Ints, floats: Floats, memory: Floats) -> None:
+    """Keep for the next scan what late inputs read: three words each, slot, where the sign stands, keeper."""
+    at = ints[u(KEEPS_AT)]
+    for _ in range(ints[u(KEEPS)]):
+        memory[u(ints[u(at + 2)])] = floats[u(ints[u(at + 1)])] * memory[u(ints[u(at)])]
+        at += 3
+
+
+@entry(signature(*_FURTHER))
+def execute_further(
+    opcode: int,
+    ints: Ints,
+    floats: Floats,
+    memory: Floats,
+    at: int,
+    cycle: float,
+    time: float,
+    scan: int,
+) -> None:
+    """Execute a row of any family but the first, by its opcode."""
+    row = Row(ints, floats, memory, at, cycle, time, scan)
+    family, code = opcode >> FAMILY_SHIFT, opcode & CODE_MASK
+    if family == 1:
+        calculation.execute(code, row)
+    elif family == 2:
+        nonlinear.execute(code, row)
+    elif family == 3:
+        delays.execute(code, row)
+    elif family == 4:
+        sources.execute(code, row)
+
+
+@entry(signature(*_FURTHER))
+def execute_nothing(
+    opcode: int,
+    ints: Ints,
+    floats: Floats,
+    memory: Floats,
+    at: int,
+    cycle: float,
+    time: float,
+    scan: int,
+) -> None:
+    """Do nothing, where no row needs more."""
+
+
+def further_for(opcodes: list[int]) -> Entry:
+    """Return what executes the rows of a tape that the loop does not execute itself."""
+    return execute_further if any(opcode > CODE_MASK for opcode in opcodes) else execute_nothing

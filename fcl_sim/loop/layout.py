@@ -6,8 +6,9 @@ words of `ints` are the numbers below; the rest of it are block rows, record
 segments and programs, the rest of `floats` the scheme, scales and parameters.
 
 `memory` begins with the signals that are checked each scan: the plant's
-outputs, its inputs as written, the outputs of blocks; then states of blocks
-and the instance memories of fuzzy blocks.
+outputs, its inputs as written, the outputs of blocks; then, block by block, its
+states, the constants that stand in for signals, what its late inputs read, or
+the instance memory of a fuzzy block.
 """
 
 STATES = 0
@@ -53,14 +54,22 @@ STEP_AT = 21
 PLANT_INPUTS_AT = 22
 """First slot of the plant's inputs in `memory`; its outputs begin at 0."""
 
-HEAD = 23
+ROWS_END = 23
+"""Where in `ints` the block rows end."""
+KEEPS = 24
+"""Number of late inputs, which a block reads as the last scan left them."""
+KEEPS_AT = 25
+"""Where in `ints` they stand, each as slot, where in `floats` its sign stands, slot of what is kept."""
+
+HEAD = 26
 """Words of the head."""
 
 RTOL, FIXED_STEP, CYCLE, EXPONENT = 0, 1, 2, 3
 """Offsets from STEP_AT; the exponent is that of step control, -1 / order."""
 
-# A block row in `ints`; its parameters stand in `floats` from PARAMETERS: first
-# the sign of each input (with the gain, where a block has one), then the rest.
+# A block row in `ints`: these words, the slots of the inputs, the block's words.
+# In `floats` from PARAMETERS on: the sign of each input (with the gain, where a
+# block has one), then the block's numbers (`loop.row`).
 OPCODE, ROW_LENGTH, OUTPUT, STATE, PARAMETERS, INPUTS, FIRST_INPUT = 0, 1, 2, 3, 4, 5, 6
 
 # How a run ends.
@@ -75,6 +84,5 @@ CHATTERS = 4
 """Too many events between two writes; `index` is the last event."""
 BUDGET_SPENT = 5
 """Too many steps between two writes; `index` is the worst state."""
-
-REPORT_STATUS, REPORT_SAMPLES, REPORT_INDEX = 0, 1, 2
-"""What `simulate` leaves in its report: status, number of samples recorded, index."""
+OUTSIDE = 6
+"""Not an end: a block in Python is to be executed; `index` is where its row begins."""

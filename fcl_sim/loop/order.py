@@ -3,26 +3,18 @@
 from collections.abc import Callable, Sequence
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place
-from fcl_sim.loop.blocks import BLOCKS
-from fcl_sim.loop.diagram import FuzzyNode, Node
-
-AnyNode = Node | FuzzyNode
+from fcl_sim.loop.settings import AnyNode, signals_of
 
 
 def in_order(nodes: Sequence[AnyNode], sources: Callable[[AnyNode], Sequence[str]]) -> tuple[AnyNode, ...]:
     """Return the nodes so that each comes after those it takes signals from, else as they were written.
 
-    `sources` gives the full names of the signals that a node takes. A node
-    without feedthrough gives what it has stored, so it waits for nobody. An
-    algebraic loop is an InputFault that walks it.
+    `sources` gives the full names of the signals that a node takes as they are
+    in this scan; for those of the last scan it waits for nobody. An algebraic
+    loop is an InputFault that walks it.
     """
     by_signal = {name: node for node in nodes for name in signals_of(node)}
-    waits = {
-        node.name: [by_signal[each] for each in sources(node) if each in by_signal]
-        if _feedthrough(node)
-        else []
-        for node in nodes
-    }
+    waits = {node.name: [by_signal[each] for each in sources(node) if each in by_signal] for node in nodes}
     done: dict[str, AnyNode] = {}
     left = list(nodes)
     while left:
@@ -34,17 +26,6 @@ def in_order(nodes: Sequence[AnyNode], sources: Callable[[AnyNode], Sequence[str
     return tuple(done.values())
 
 
-def signals_of(node: AnyNode) -> tuple[str, ...]:
-    """Return the full names of the signals that a node gives."""
-    if isinstance(node, FuzzyNode):
-        return tuple(f"{node.name}.{each}" for each in node.block.program.output_names)
-    return (node.name,)
-
-
-def _feedthrough(node: AnyNode) -> bool:
-    return BLOCKS["fuzzy" if isinstance(node, FuzzyNode) else node.type].feedthrough
-
-
 def _algebraic_loop(left: Sequence[AnyNode], waits: dict[str, list[AnyNode]]) -> InputFault:
     names = {node.name for node in left}
     walk = [left[0]]
@@ -54,5 +35,7 @@ def _algebraic_loop(left: Sequence[AnyNode], waits: dict[str, list[AnyNode]]) ->
     path = " → ".join(f"`{node.name}`" for node in loop)
     places = tuple(Place(span=node.span) for node in loop[:-1] if node.span)
     message = f"these blocks wait for each other in every scan: {path}"
-    hint = "no order of execution suits an algebraic loop: take one of these connections away"
+    hint = (
+        "no order of execution suits an algebraic loop: put a `unit_delay` into it, or take a connection away"
+    )
     return InputFault([Diagnostic(code="WIR301", message=message, places=places, hint=hint)])

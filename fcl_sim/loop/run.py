@@ -4,10 +4,13 @@ import numpy as np
 
 from fcl_sim.loop import layout
 from fcl_sim.loop.diagram import Diagram, FuzzyNode
+from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.simulate import simulate
+from fcl_sim.loop.state import RunState, initial_state
 from fcl_sim.loop.tape import Tape, lower
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Trace, Values
 from fcl_sim.loop.wiring import wire
+from fcl_sim.loop.work import INDEX, SAMPLES, STATUS, Ints
 
 REASONS = {
     layout.NOT_FINITE: "is NaN or infinite",
@@ -22,24 +25,47 @@ REASONS = {
 def run(diagram: Diagram) -> Trace:
     """Run a closed loop and return its trace.
 
-    Raises InputFault where the diagram does not fit together. A run that
-    cannot go on ends with the trace's `fault` set; the samples up to there are kept.
+    Raises InputFault where the diagram does not fit together or a function of
+    the user's fails. A run that cannot go on ends with the trace's `fault` set;
+    the samples up to there are kept.
     """
     return run_tape(lower(wire(diagram)))
 
 
 def run_tape(tape: Tape) -> Trace:
     """Run a tape from its start; the tape itself is left as it was."""
-    columns = sum(length for _, length in tape.segments)
-    record = np.empty((tape.starts.size, columns))
-    report = np.zeros(3, dtype=np.int64)
-    functions = tape.wiring.diagram.plant.model.functions.ready()
-    x, memory = tape.x.copy(), tape.memory.copy()
-    simulate(*functions, tape.ints, tape.floats, memory, x, tape.p, tape.starts, record, report)
-    return _trace(tape, record[: report[layout.REPORT_SAMPLES]], report)
+    state, record = initial_state(tape), empty_record(tape)
+    proceed(tape, state, record)
+    return trace_of(tape, state, record)
 
 
-def _trace(tape: Tape, record: Values, report: np.ndarray) -> Trace:
+def empty_record(tape: Tape) -> Values:
+    """Return an array for the samples of a whole run, (scans + 1, columns)."""
+    return np.empty((tape.starts.size, sum(length for _, length in tape.segments)))
+
+
+def proceed(tape: Tape, state: RunState, record: Values, until: int | None = None) -> None:
+    """Run on from `state`, which is changed, to the beginning of scan `until`, else to the end.
+
+    The scans that are run fill their rows of `record`. A run that has ended
+    early stays where it is.
+    """
+    scans = tape.starts.size
+    last = scans if until is None else min(until, scans)
+    if state.over:
+        return
+    functions = (*tape.wiring.diagram.plant.model.functions.ready(), tape.further.compile())
+    buffers = (tape.ints, tape.floats, state.memory, state.x, tape.p, state.progress, state.rows)
+    while simulate(*functions, *buffers, tape.starts, record, last) == layout.OUTSIDE:
+        execute_outside(tape, state)
+
+
+def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:
+    """Return the trace of the scans that were run, all of them recorded in `record`."""
+    return _trace(tape, record[: state.progress[SAMPLES]], state.progress)
+
+
+def _trace(tape: Tape, record: Values, progress: Ints) -> Trace:
     wiring = tape.wiring
     names = tuple(wiring.units)
     values = np.empty((record.shape[0], len(names)))
@@ -56,7 +82,7 @@ def _trace(tape: Tape, record: Values, report: np.ndarray) -> Trace:
         units={name: unit.symbol for name, unit in wiring.units.items()},
         values=values,
         fuzzy=fuzzy,
-        fault=_fault(tape, report),
+        fault=_fault(tape, progress),
     )
 
 
@@ -75,8 +101,8 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
     )
 
 
-def _fault(tape: Tape, report: np.ndarray) -> Fault | None:
-    status, samples, index = (int(each) for each in report)
+def _fault(tape: Tape, progress: Ints) -> Fault | None:
+    status, samples, index = (int(progress[word]) for word in (STATUS, SAMPLES, INDEX))
     if status == layout.FINISHED:
         return None
     declaration = tape.wiring.diagram.plant.model.declaration

@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Mapping
 
 from fcl_sim.loop import layout
-from fcl_sim.loop.blocks import BLOCKS, TABLE
+from fcl_sim.loop.blocks import BLOCKS, OPCODES
 from fcl_sim.loop.diagram import FuzzyNode, Node, Wire
-from fcl_sim.loop.order import signals_of
+from fcl_sim.loop.settings import signals_of
 from fcl_sim.loop.tape import Tape
 from fcl_sim.loop.wiring import Wiring
 
@@ -28,7 +28,8 @@ def _order(wiring: Wiring) -> Iterator[str]:
 def _settings(wiring: Wiring, node: Node | FuzzyNode) -> Iterator[str]:
     """Yield what a block reads, and its parameters; of a block with terms, each term with its gain."""
     parameters = node.parameters if isinstance(node, Node) else {}
-    with_gains = isinstance(node, Node) and bool(BLOCKS[node.type].terms)
+    group = BLOCKS[node.type].group if isinstance(node, Node) else None
+    with_gains = group is not None and group.form == "gains"
     for port, each in node.inputs.items():
         gain = f"{parameters[port]} * " if with_gains else ""
         yield f"{port} = {gain}{_source(wiring, each)}"
@@ -93,8 +94,9 @@ def _rows(tape: Tape) -> Iterator[str]:
 
 def _row(row: list[int], names: Mapping[int, str]) -> str:
     inputs = row[layout.FIRST_INPUT : layout.FIRST_INPUT + row[layout.INPUTS]]
-    words = ", ".join(names[slot] for slot in inputs)
-    return f"{names[row[layout.OUTPUT]]} <- {TABLE[row[layout.OPCODE]].name}({words})"
+    words = ", ".join(names.get(slot, f"m{slot}") for slot in inputs)
+    kinds = {opcode: name for name, opcode in OPCODES.items()}
+    return f"{names[row[layout.OUTPUT]]} <- {kinds[row[layout.OPCODE]]}({words})"
 
 
 def _head(tape: Tape) -> Iterator[str]:

@@ -6,33 +6,45 @@ import numpy as np
 
 from fcl_sim.jit import FF, F, I, entry, i8, inlined, signature, u
 from fcl_sim.loop.events import rearm
-from fcl_sim.loop.execute import execute
+from fcl_sim.loop.execute import FURTHER_TYPE, Further, execute
 from fcl_sim.loop.integrate import advance
 from fcl_sim.loop.layout import (
     CYCLE,
     EVENTS,
-    FINISHED,
     LATENCY,
     MEASURED,
     NOT_FINITE,
+    OUTSIDE,
     PLANT_INPUTS,
     PLANT_INPUTS_AT,
     PLANT_OUTPUTS,
-    REPORT_INDEX,
-    REPORT_SAMPLES,
-    REPORT_STATUS,
+    ROW_LENGTH,
+    ROWS_AT,
+    ROWS_END,
     SAMPLED,
     SCANS,
     SEGMENTS,
     SEGMENTS_AT,
     SIGNALS,
-    STAGES,
     STATES,
     STEP_AT,
     WRITE_SIGNS_AT,
     WRITES_AT,
 )
-from fcl_sim.loop.work import GUESS, INDEX, MODE, PROGRESS, STATUS, Floats, Ints, Plant, Work, rows_size
+from fcl_sim.loop.row import Row
+from fcl_sim.loop.work import (
+    GUESS,
+    INDEX,
+    MODE,
+    ROW,
+    SAMPLES,
+    SCAN,
+    STATUS,
+    Floats,
+    Ints,
+    Plant,
+    Work,
+)
 from fcl_sim.plant.declaration import START
 from fcl_sim.plant.functions import FUNCTION_TYPES, PlantFunction
 
@@ -74,6 +86,16 @@ def record_sample(ints: Ints, memory: Floats, row: Floats) -> None:
 
 
 @inlined
+def begin_run(plant: Plant, work: Work, t: float) -> None:
+    """Let the plant choose the mode in which it starts, and arm the events that do not stand beyond zero."""
+    progress = work.progress
+    progress[u(MODE)] = plant.transition(START, t, work.x, work.held, work.p, START)
+    if work.ints[u(EVENTS)] > 0:
+        plant.events(t, work.x, work.held, work.p, progress[u(MODE)], work.g0)
+        rearm(work.ints, work.g0, progress)
+
+
+@inlined
 def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: int) -> bool:
     """Integrate from scan to scan, in nanoseconds, writing after the latency; return whether it could."""
     ints = work.ints
@@ -89,63 +111,71 @@ def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: in
     return True
 
 
-@entry(signature(i8, *FUNCTION_TYPES, I, F, F, F, F, I, FF, I))
+@entry(signature(i8, *FUNCTION_TYPES, FURTHER_TYPE, I, F, F, F, F, I, F, I, FF, i8))
 def simulate(
     dynamics: PlantFunction,
     outputs: PlantFunction,
     events: PlantFunction,
     transition: PlantFunction,
     sample: PlantFunction,
+    further: Further,
     ints: Ints,
     floats: Floats,
     memory: Floats,
     x: Floats,
     p: Floats,
+    progress: Ints,
+    rows: Floats,
     starts: Ints,
     record: Floats,
-    report: Ints,
+    until: int,
 ) -> int:
-    """Run a tape from its first scan to its end; return the status of `loop.layout`.
+    """Run a tape from where `progress` stands to the beginning of scan `until`; return the status.
 
-    x (states,) and `memory` are left as the run ends. `starts` (scans + 1,)
-    holds the nanosecond at which each scan reads its inputs, the end included;
-    `record` (scans + 1, columns) and `report` are filled.
+    x (states,), `memory`, `progress` (PROGRESS,) and `rows` are the state of a
+    run (`loop.state`), taken up and left. `starts` (scans + 1,) holds the
+    nanosecond at which each scan reads its inputs, the end included; of
+    `record` (scans + 1, columns) the scans that are run are filled. Status
+    OUTSIDE asks for the block whose row is `index`, and to be called again.
     """
     first_input = ints[u(PLANT_INPUTS_AT)]
     y = memory[0 : ints[u(PLANT_OUTPUTS)]]
     held = memory[first_input : first_input + ints[u(PLANT_INPUTS)]]
     states, count = ints[u(STATES)], ints[u(EVENTS)]
     nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
-    progress = np.zeros(PROGRESS, dtype=np.int64)
-    rows = np.zeros(rows_size(ints[u(STAGES)], states))
-    rows[u(GUESS)] = nominal
     dx, trial = np.zeros(states), np.zeros(states)
     g0, g1 = np.zeros(count), np.zeros(count)
     plant = Plant(dynamics, events, transition)
     work = Work(ints, floats, x, held, p, progress, rows, dx, trial, g0, g1)
-    progress[u(MODE)] = transition(START, starts[u(0)] / 1e9, x, held, p, START)
-    if count > 0:
-        events(starts[u(0)] / 1e9, x, held, p, progress[u(MODE)], g0)
-        rearm(ints, g0, progress)
-    report[u(REPORT_STATUS)] = FINISHED
-    for scan in range(ints[u(SCANS)] + 1):
+    if progress[u(SCAN)] == 0 and progress[u(ROW)] == 0:
+        rows[u(GUESS)] = nominal
+        begin_run(plant, work, starts[u(0)] / 1e9)
+    for scan in range(progress[u(SCAN)], until):
         start = starts[u(scan)]
-        if ints[u(SAMPLED)] == 1:
-            sample(start / 1e9, x, p)
-        outputs(start / 1e9, x, held, p, progress[u(MODE)], y)
+        at = progress[u(ROW)]
+        if at == 0:
+            if ints[u(SAMPLED)] == 1:
+                sample(start / 1e9, x, p)
+            outputs(start / 1e9, x, held, p, progress[u(MODE)], y)
+            at = ints[u(ROWS_AT)]
         late = ints[u(MEASURED)] == 1 and scan > 0
-        execute(ints, floats, memory, (start - starts[u(scan - 1)]) / 1e9 if late else nominal)
+        cycle = (start - starts[u(scan - 1)]) / 1e9 if late else nominal
+        at = execute(Row(ints, floats, memory, at, cycle, start / 1e9, scan), further)
+        if at != ints[u(ROWS_END)]:
+            progress[u(ROW)] = at + ints[u(at + ROW_LENGTH)]
+            progress[u(INDEX)] = at
+            return OUTSIDE
+        progress[u(ROW)] = 0
         if ints[u(LATENCY)] == 0:
             write_outputs(ints, floats, memory)
         unsound = first_unsound(ints, memory)
         if unsound >= 0:
-            report[u(REPORT_STATUS)] = NOT_FINITE
-            report[u(REPORT_INDEX)] = unsound
+            progress[u(STATUS)] = NOT_FINITE
+            progress[u(INDEX)] = unsound
             break
         record_sample(ints, memory, record[scan])
-        report[u(REPORT_SAMPLES)] = scan + 1
+        progress[u(SAMPLES)] = scan + 1
         if scan < ints[u(SCANS)] and not integrate_scan(plant, work, memory, start, starts[u(scan + 1)]):
-            report[u(REPORT_STATUS)] = progress[u(STATUS)]
-            report[u(REPORT_INDEX)] = progress[u(INDEX)]
             break
-    return int(report[u(REPORT_STATUS)])
+        progress[u(SCAN)] = scan + 1
+    return int(progress[u(STATUS)])

@@ -5,15 +5,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from fcl_sim.jit import Entry
 from fcl_sim.loop import layout
-from fcl_sim.loop.blocks import BLOCKS, TABLE
+from fcl_sim.loop.blocks import OPCODES
 from fcl_sim.loop.clock import scan_starts
-from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, Wire
-from fcl_sim.loop.order import signals_of
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node
+from fcl_sim.loop.execute import further_for
+from fcl_sim.loop.node_layout import NodeLayout, Outside, lay_out, outside_of
 from fcl_sim.loop.schemes import SCHEMES
+from fcl_sim.loop.settings import signals_of
 from fcl_sim.loop.wiring import Wiring
 from fcl_sim.loop.work import Floats, Ints
-from fcl_sim.units import parse_quantity, parse_unit
 
 LANES = 4
 """States are padded to a multiple of this, so that the integrator works in constant pieces."""
@@ -25,7 +27,8 @@ class Tape:
 
     `slots` says where each signal stands in memory; `segments` which stretches
     of memory (first slot, length) make the columns of the record; `instances`
-    where the memory of each fuzzy block begins.
+    where the memory of each fuzzy block begins. `further` executes the rows that
+    the loop does not; `outside` are the blocks in Python.
     """
 
     wiring: Wiring
@@ -38,6 +41,8 @@ class Tape:
     slots: Mapping[str, int]
     segments: tuple[tuple[int, int], ...]
     instances: Mapping[str, int]
+    further: Entry
+    outside: Mapping[str, Outside]
 
     def column(self, slot: int) -> int:
         """Return the column of the record that holds memory slot `slot`; ValueError if none does."""
@@ -51,7 +56,7 @@ class Tape:
 
 @dataclass(frozen=True, slots=True)
 class _Memory:
-    """How memory is shared out: slots of signals, states of blocks, instances of fuzzy blocks."""
+    """How memory is shared out: slots of signals, own words of blocks, instances of fuzzy blocks."""
 
     slots: dict[str, int]
     states: dict[str, int]
@@ -60,14 +65,16 @@ class _Memory:
     size: int
 
 
-def lower(wiring: Wiring) -> Tape:
-    """Return the tape of a wiring."""
+def lower(wiring: Wiring, run: int = 0) -> Tape:
+    """Return the tape of a wiring; `run` numbers its runs, each with random numbers of its own."""
     diagram = wiring.diagram
-    memory = _share_out(diagram, wiring.order)
+    layouts = {name: lay_out(wiring, each, run) for name, each in _nodes(wiring).items()}
+    memory = _share_out(diagram, wiring.order, layouts)
     ints, floats = _Buffer(layout.HEAD), _Buffer(0)
     head = _plant_words(diagram) | _time_words(diagram)
     head |= _scheme_words(diagram, ints, floats)
-    head |= _row_words(wiring, memory, ints, floats)
+    rows = _row_words(wiring, memory, layouts, ints, floats)
+    head |= rows.head | _keep_words(layouts, memory, ints, floats)
     head |= _write_words(wiring, memory, ints, floats)
     segments = _segments(diagram, memory)
     head |= {
@@ -83,16 +90,18 @@ def lower(wiring: Wiring) -> Tape:
         wiring=wiring,
         ints=buffer,
         floats=floats.numbers(),
-        memory=_initial_memory(diagram, memory),
+        memory=_initial_memory(diagram, memory, layouts),
         x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
         p=np.array(
             [diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters],
             dtype=np.float64,
         ),
-        starts=scan_starts(diagram.timing),
+        starts=scan_starts(diagram.timing, run),
         slots=memory.slots,
         segments=segments,
         instances=memory.instances,
+        further=further_for(rows.opcodes),
+        outside=rows.outside,
     )
 
 
@@ -118,9 +127,24 @@ class _Buffer:
         return np.array(self._words, dtype=np.float64)
 
 
-def _share_out(diagram: Diagram, order: Sequence[Node | FuzzyNode]) -> _Memory:
+@dataclass(frozen=True, slots=True)
+class _Rows:
+    """What the rows add to the head, the opcodes in them, the blocks in Python."""
+
+    head: dict[int, int]
+    opcodes: list[int]
+    outside: dict[str, Outside]
+
+
+def _nodes(wiring: Wiring) -> dict[str, Node]:
+    return {node.name: node for node in wiring.order if isinstance(node, Node)}
+
+
+def _share_out(
+    diagram: Diagram, order: Sequence[Node | FuzzyNode], layouts: Mapping[str, NodeLayout]
+) -> _Memory:
     names = list(diagram.plant.signals)
-    names += [node.name for node in order if isinstance(node, Node)]
+    names += [name for node in order if isinstance(node, Node) for name in signals_of(node)]
     slots = {name: slot for slot, name in enumerate(names)}
     signals = size = len(names)
     states: dict[str, int] = {}
@@ -134,7 +158,7 @@ def _share_out(diagram: Diagram, order: Sequence[Node | FuzzyNode]) -> _Memory:
             size += program.size
         else:
             states[node.name] = size
-            size += BLOCKS[node.type].states
+            size += len(layouts[node.name].initial)
     return _Memory(slots, states, instances, signals, size)
 
 
@@ -176,46 +200,47 @@ def _scheme_words(diagram: Diagram, ints: _Buffer, floats: _Buffer) -> dict[int,
     }
 
 
-def _row_words(wiring: Wiring, memory: _Memory, ints: _Buffer, floats: _Buffer) -> dict[int, int]:
+def _row_words(
+    wiring: Wiring, memory: _Memory, layouts: Mapping[str, NodeLayout], ints: _Buffer, floats: _Buffer
+) -> _Rows:
     programs: dict[int, int] = {}
     for node in wiring.order:
         if isinstance(node, FuzzyNode) and id(node.block.program) not in programs:
             program = node.block.program
             programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
     rows_at = len(ints)
+    opcodes, outside = [], {}
     for node in wiring.order:
         if isinstance(node, FuzzyNode):
-            ports: Sequence[str] = node.block.program.input_names
-            further, opcode = [programs[id(node.block.program)]], TABLE.index(BLOCKS["fuzzy"])
-            output, state = memory.slots[signals_of(node)[0]], memory.instances[node.name]
-            parameters: list[float] = []
+            opcode, state = OPCODES["fuzzy"], memory.instances[node.name]
+            wires = [wiring.resolve(node.inputs[port]) for port in node.block.program.input_names]
+            inputs = [memory.slots[each.source] for each in wires]
+            words: Sequence[int] = [programs[id(node.block.program)]]
+            numbers: Sequence[float] = [each.sign for each in wires]
         else:
-            block = BLOCKS[node.type]
-            ports = tuple(node.inputs) if block.terms else block.ports
-            further, opcode = [], TABLE.index(block)
-            output, state = memory.slots[node.name], memory.states[node.name]
-            parameters = _parameters(node)
-        wires = [wiring.resolve(node.inputs[port]) for port in ports]
-        at = floats.append([*_signs(node, ports, wires), *parameters])
-        inputs = [memory.slots[each.source] for each in wires]
-        row = [opcode, layout.FIRST_INPUT + len(inputs) + len(further), output, state, at, len(inputs)]
-        ints.append([*row, *inputs, *further])
-    return {layout.ROWS: len(wiring.order), layout.ROWS_AT: rows_at}
+            laid, opcode, state = layouts[node.name], OPCODES[node.type], memory.states[node.name]
+            inputs = [each.slot(memory.slots, state) for each in laid.inputs]
+            words, numbers = laid.words, [*(each.sign for each in laid.inputs), *laid.numbers]
+            if node.type == "python":
+                outside[node.name] = outside_of(node, wiring.settings[node.name], len(ints))
+        output = memory.slots[signals_of(node)[0]]
+        length = layout.FIRST_INPUT + len(inputs) + len(words)
+        row = [opcode, length, output, state, floats.append(numbers), len(inputs)]
+        ints.append([*row, *inputs, *words])
+        opcodes.append(opcode)
+    head = {layout.ROWS: len(wiring.order), layout.ROWS_AT: rows_at, layout.ROWS_END: len(ints)}
+    return _Rows(head, opcodes, outside)
 
 
-def _signs(node: Node | FuzzyNode, ports: Sequence[str], wires: Sequence[Wire]) -> list[float]:
-    """Return the sign of each input, times its gain where the block has one per term."""
-    if isinstance(node, Node) and BLOCKS[node.type].terms:
-        return [each.sign * node.parameters[port].value for port, each in zip(ports, wires, strict=True)]
-    return [each.sign for each in wires]
-
-
-def _parameters(node: Node) -> list[float]:
-    numbers = []
-    for declared in BLOCKS[node.type].parameters:
-        given = node.parameters.get(declared.name, parse_quantity(declared.default or 0.0))
-        numbers.append(given.to(parse_unit(declared.unit)) if declared.unit is not None else given.value)
-    return numbers
+def _keep_words(
+    layouts: Mapping[str, NodeLayout], memory: _Memory, ints: _Buffer, floats: _Buffer
+) -> dict[int, int]:
+    words = []
+    for name, laid in layouts.items():
+        for each in laid.late:
+            sign = floats.append([each.sign])
+            words += [memory.slots[each.source], sign, memory.states[name] + each.at]
+    return {layout.KEEPS: len(words) // 3, layout.KEEPS_AT: ints.append(words)}
 
 
 def _write_words(wiring: Wiring, memory: _Memory, ints: _Buffer, floats: _Buffer) -> dict[int, int]:
@@ -233,7 +258,7 @@ def _segments(diagram: Diagram, memory: _Memory) -> tuple[tuple[int, int], ...]:
     return ((0, memory.signals), *fuzzy)
 
 
-def _initial_memory(diagram: Diagram, memory: _Memory) -> Floats:
+def _initial_memory(diagram: Diagram, memory: _Memory, layouts: Mapping[str, NodeLayout]) -> Floats:
     initial = np.zeros(memory.size)
     plant = diagram.plant
     for each in plant.model.declaration.inputs:
@@ -242,6 +267,9 @@ def _initial_memory(diagram: Diagram, memory: _Memory) -> Floats:
         if isinstance(node, FuzzyNode):
             at = memory.instances[node.name]
             initial[at : at + node.block.program.size] = node.block.program.initial
+        else:
+            at, own = memory.states[node.name], layouts[node.name].initial
+            initial[at : at + len(own)] = own
     return initial
 
 

@@ -1,14 +1,16 @@
 """Diagram → Wiring: every name is resolved, every unit fits, the order of execution is known."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span, nearest
+from fcl_sim.diagnostics import Diagnostic, InputFault, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.loop.blocks import BLOCKS
+from fcl_sim.loop.blocks.setting import Setting
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, Wire
-from fcl_sim.loop.order import in_order, signals_of
-from fcl_sim.units import Unit, UnitError, parse_unit
+from fcl_sim.loop.fit import conversion, fault, settle, unfit_names, unfit_node
+from fcl_sim.loop.order import in_order
+from fcl_sim.loop.settings import AnyNode, outputs_of, signals_of, waits_for
+from fcl_sim.units import Quantity, Unit, parse_unit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,13 +19,15 @@ class Wiring:
 
     `order` is the order of execution. `units` has the unit of every signal and
     alias, in the order in which a trace lists them; `sources` gives for every
-    alias the signal it stands for and the sign.
+    alias the signal it stands for and the sign. `settings` has what each block,
+    but for fuzzy ones, is set up with.
     """
 
     diagram: Diagram
     order: tuple[Node | FuzzyNode, ...]
     units: Mapping[str, Unit]
     sources: Mapping[str, Wire]
+    settings: Mapping[str, Setting]
 
     def resolve(self, wire: Wire) -> Wire:
         """Return the wire from the signal itself, signs multiplied."""
@@ -41,13 +45,14 @@ def wire(diagram: Diagram) -> Wiring:
     faults += _unknown_sources(diagram, signals, sources)
     faults += _unfit_blocks(diagram)
     _raise(faults)
-    plain = Wiring(diagram=diagram, order=diagram.nodes, units={}, sources=sources)
+    plain = Wiring(diagram=diagram, order=diagram.nodes, units={}, sources=sources, settings={})
     order = in_order(
-        diagram.nodes, lambda node: [plain.resolve(each).source for each in node.inputs.values()]
+        diagram.nodes,
+        lambda node: [plain.resolve(each).source for each in waits_for(node, diagram.timing)],
     )
-    units = _units(diagram, order, plain, faults)
+    units, settings = _units(diagram, order, plain, faults)
     _raise(faults)
-    return Wiring(diagram=diagram, order=order, units=units, sources=sources)
+    return Wiring(diagram=diagram, order=order, units=units, sources=sources, settings=settings)
 
 
 def wires_of(diagram: Diagram) -> Iterator[Wire]:
@@ -56,12 +61,6 @@ def wires_of(diagram: Diagram) -> Iterator[Wire]:
         yield from node.inputs.values()
     yield from diagram.plant.inputs.values()
     yield from diagram.aliases.values()
-
-
-def fault(code: str, message: str, span: Span | None = None, hint: str = "") -> Diagnostic:
-    """Return a finding about the wiring, at its place in the scenario where that is known."""
-    places = (Place(span=span),) if span else ()
-    return Diagnostic(code=code, message=message, places=places, hint=hint)
 
 
 def _raise(faults: list[Diagnostic]) -> None:
@@ -113,53 +112,7 @@ def _unfit_blocks(diagram: Diagram) -> Iterator[Diagnostic]:
             message = f"the plant's input `{plant.name}.{declared.name}` is not connected"
             yield fault("WIR103", message, plant.span, f"it is {declared.meaning}, in {declared.unit or '1'}")
     for node in diagram.nodes:
-        wanted = node.block.program.input_names if isinstance(node, FuzzyNode) else _ports(node)
-        yield from _unfit_names(f"`{node.name}`", "input", wanted, node.inputs, node.span)
-        for name in wanted:
-            if name not in node.inputs:
-                yield fault("WIR103", f"the input `{name}` of `{node.name}` is not connected", node.span)
-        if isinstance(node, FuzzyNode):
-            known = (*node.block.program.input_names, *node.block.program.output_names)
-            yield from _unfit_names(f"`{node.name}`", "variable", known, node.units, node.span)
-        else:
-            yield from _unfit_parameters(node)
-
-
-def _unfit_names(
-    owner: str, what: str, known: tuple[str, ...], given: Mapping[str, object], span: Span | None
-) -> Iterator[Diagnostic]:
-    for name, value in given.items():
-        if name not in known:
-            near = nearest(name, known)
-            hint = f"did you mean `{near}`?" if near else f"it has {listed(known) or 'none'}"
-            place = getattr(value, "span", None) or span
-            yield fault("WIR104", f"{owner} has no {what} called `{name}`", place, hint)
-
-
-def _ports(node: Node) -> tuple[str, ...]:
-    block = BLOCKS[node.type]
-    return tuple(node.inputs) if block.terms else block.ports
-
-
-def _unfit_parameters(node: Node) -> Iterator[Diagnostic]:
-    block = BLOCKS[node.type]
-    declared = {each.name: each for each in block.parameters}
-    known = tuple(node.inputs) if block.terms else tuple(declared)
-    yield from _unfit_names(f"`{node.name}`", "parameter", known, node.parameters, node.span)
-    for name, parameter in declared.items():
-        given = node.parameters.get(name)
-        if given is None and parameter.default is None:
-            message = f"`{node.name}` needs its parameter `{name}`: {parameter.meaning}"
-            yield fault("WIR103", message, node.span)
-        elif (
-            given is not None
-            and parameter.unit is not None
-            and not given.unit.commensurate(parse_unit(parameter.unit))
-        ):
-            message = f"`{name}` of `{node.name}` is in {given.unit}"
-            yield fault("WIR201", message, node.span, f"it is {parameter.meaning}, in {parameter.unit}")
-    if block.terms and not node.inputs:
-        yield fault("WIR103", f"`{node.name}` has no terms", node.span)
+        yield from unfit_node(node)
 
 
 def _unfit_plant(diagram: Diagram) -> Iterator[Diagnostic]:
@@ -171,7 +124,7 @@ def _unfit_plant(diagram: Diagram) -> Iterator[Diagnostic]:
         ("input", declaration.inputs, plant.inputs),
     )
     for what, declared, given in groups:
-        yield from _unfit_names(owner, what, tuple(each.name for each in declared), given, plant.span)
+        yield from unfit_names(owner, what, tuple(each.name for each in declared), given, plant.span)
     for parameter in declaration.parameters:
         value = plant.parameters.get(parameter.name, parameter.default)
         low, high = parameter.minimum, parameter.maximum
@@ -183,32 +136,73 @@ def _unfit_plant(diagram: Diagram) -> Iterator[Diagnostic]:
 
 def _units(
     diagram: Diagram, order: tuple[Node | FuzzyNode, ...], plain: Wiring, faults: list[Diagnostic]
-) -> dict[str, Unit]:
+) -> tuple[dict[str, Unit], dict[str, Setting]]:
     plant = diagram.plant
+    settings: dict[str, Setting] = {}
     declaration = plant.model.declaration
     units = {f"{plant.name}.{each.name}": parse_unit(each.unit) for each in declaration.outputs}
     units |= {f"{plant.name}.{each.name}": parse_unit(each.unit) for each in declaration.inputs}
-    for node in order:
-        given = {port: units.get(plain.resolve(each).source) for port, each in node.inputs.items()}
-        known = {port: unit for port, unit in given.items() if unit is not None}
-        if len(known) < len(given):
-            continue  # a fault before it in the order was reported there
-        if isinstance(node, FuzzyNode):
-            units |= _fuzzy_units(node, known, faults)
-        elif (rule := BLOCKS[node.type].unit) is not None:
-            try:
-                units[node.name] = rule(known, node.parameters)
-            except UnitError as error:
-                faults.append(fault("WIR201", f"`{node.name}`: {error}", node.span, error.hint))
+    left = list(order)
+    while left:
+        waiting = []
+        for node in left:
+            if not _sources_in(node, plain) <= units.keys():
+                waiting.append(node)
+                continue
+            given = {port: units[plain.resolve(each).source] for port, each in node.inputs.items()}
+            if isinstance(node, FuzzyNode):
+                units |= _fuzzy_units(node, given, faults)
+            else:
+                settings[node.name], own = settle(node, given, diagram.timing, faults)
+                faults += _contradicting(node, own, units)
+                units |= own
+        if len(waiting) == len(left):
+            supposed = _supposed(waiting, units)
+            units |= supposed
+            if not supposed:
+                faults += () if faults else _circular(waiting)
+                break
+        left = waiting
     for declared in declaration.inputs:
         each = plant.inputs[declared.name]
         unit = units.get(plain.resolve(each).source)
         if unit is not None and not unit.same_as(parse_unit(declared.unit)):
             wanted = parse_unit(declared.unit)
             message = f"`{plant.name}.{declared.name}` takes {wanted}, and `{each.source}` is in {unit}"
-            faults.append(fault("WIR201", message, each.span, _conversion(unit, wanted)))
+            faults.append(fault("WIR201", message, each.span, conversion(unit, wanted)))
     units |= {name: units[source.source] for name, source in plain.sources.items() if source.source in units}
-    return units
+    return units, settings
+
+
+def _sources_in(node: AnyNode, plain: Wiring) -> set[str]:
+    return {plain.resolve(each).source for each in node.inputs.values()}
+
+
+def _supposed(left: Sequence[AnyNode], units: Mapping[str, Unit]) -> dict[str, Unit]:
+    """Return the unit of an output in a circle of blocks that declares it, or whose parameters tell it."""
+    for node in left:
+        for name, output in outputs_of(node):
+            if name not in units and isinstance(output.unit, str):
+                return {name: parse_unit(output.unit)}
+            given = node.parameters.get(output.told_by) if isinstance(node, Node) else None
+            if name not in units and isinstance(given, Quantity):
+                return {name: given.unit}
+    return {}
+
+
+def _contradicting(node: Node, own: Mapping[str, Unit], units: Mapping[str, Unit]) -> Iterator[Diagnostic]:
+    for name, unit in own.items():
+        if name in units and not unit.same_as(units[name]):
+            message = f"`{name}` is in {unit}, and its own parameters say {units[name]}"
+            yield fault("WIR201", message, node.span, conversion(unit, units[name]))
+
+
+def _circular(left: Sequence[AnyNode]) -> Iterator[Diagnostic]:
+    """Yield the fault of blocks whose units follow from each other."""
+    told = [(node, each.told_by) for node in left for _, each in outputs_of(node) if each.told_by]
+    node, name = told[0] if told else (left[0], "")
+    hint = f"give `{name}` of `{node.name}` with its unit" if name else ""
+    yield fault("WIR201", f"the unit of `{node.name}` depends on itself", node.span, hint)
 
 
 def _fuzzy_units(node: FuzzyNode, given: Mapping[str, Unit], faults: list[Diagnostic]) -> dict[str, Unit]:
@@ -220,16 +214,10 @@ def _fuzzy_units(node: FuzzyNode, given: Mapping[str, Unit], faults: list[Diagno
         each = node.inputs[name]
         if name in declared:
             message = f"`{name}` of `{node.name}` is in {expected}, and `{each.source}` is in {unit}"
-            hint = _conversion(unit, expected)
+            hint = conversion(unit, expected)
         else:
             message = f"`{name}` of `{node.name}` has no unit, and `{each.source}` is in {unit}"
             hint = f'FCL variables have no units; declare it: units = {{ {name} = "{unit.symbol}" }}'
         faults.append(fault("WIR201", message, each.span, hint))
     outputs = node.block.program.output_names
     return {f"{node.name}.{name}": declared.get(name, parse_unit("")) for name in outputs}
-
-
-def _conversion(given: Unit, wanted: Unit) -> str:
-    if given.commensurate(wanted):
-        return f"put a `gain` between them that converts {given} to {wanted}"
-    return "the two are different kinds of quantity: is this the signal you mean?"

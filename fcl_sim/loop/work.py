@@ -43,11 +43,12 @@ class Work(NamedTuple):
     g1: Floats
 
 
-MODE, ARMED, STATUS, INDEX, HAPPENED, PROGRESS = range(6)
+MODE, ARMED, STATUS, INDEX, HAPPENED, SCAN, ROW, SAMPLES, PROGRESS = range(9)
 """Words of `progress`, and their number.
 
 Mode; a bit per event, set while it is armed; how the integration ended and of
-what; events since the last write.
+what; events since the last write; the next scan; the row at which it goes on,
+0 where it has not begun; samples recorded.
 """
 
 GUESS, BASE_AT = 0, 4

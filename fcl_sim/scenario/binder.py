@@ -9,16 +9,16 @@ from fcl_sim.block import Block, load
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.verdict import Requirement
-from fcl_sim.loop.blocks import BLOCKS
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
+from fcl_sim.scenario.blocks import plain_node
 from fcl_sim.scenario.model import BASE, CONTROLLER, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
 from fcl_sim.scenario.requirements import requirements_for
 from fcl_sim.scenario.shape import is_fuzzy
 from fcl_sim.toml.tree import NOTHING, Entry, finding
-from fcl_sim.units import parse_quantity, parse_unit
+from fcl_sim.units import parse_unit
 
 Faults = list[Diagnostic]
 LoadBlock = Callable[[Path, str | None], Block]
@@ -153,19 +153,7 @@ def _node(
             faults += fault.diagnostics
             return None
         return _fuzzy_node(name, block, loaded, scope, faults)
-    kind = BLOCKS[str(block.table["type"].value)]
-    terms = block.get(kind.terms) if kind.terms else None
-    entries = terms.table if terms else NOTHING
-    wires = {port: _wired(block.table[port], scope, faults) for port in kind.ports}
-    wires |= {
-        term: _wired(Entry(term, entry.key, entry.key), scope, faults) for term, entry in entries.items()
-    }
-    given = {each.name: entry for each in kind.parameters if (entry := block.get(each.name)) is not None}
-    for each in kind.parameters:
-        if each.unit is not None:
-            converted(given.get(each.name), parse_unit(each.unit), f"`{each.name}`", faults)
-    parameters = {key: parse_quantity(entry.value) for key, entry in {**given, **entries}.items()}
-    return Node(name=name, type=kind.name, inputs=wires, parameters=parameters, span=block.key)
+    return plain_node(name, block, setup.block_files, lambda entry: _wired(entry, scope, faults), faults)
 
 
 def _fuzzy_node(name: str, block: Entry, loaded: Block, scope: Scope | None, faults: Faults) -> FuzzyNode:

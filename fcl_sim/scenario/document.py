@@ -9,7 +9,7 @@ from fcl_sim.scenario.model import SourceFile
 from fcl_sim.toml import Entry
 from fcl_sim.toml import parse as parse_toml
 
-SCENARIO, CONTROLLER_FILE, RULE_BASE = "scenario", "controller", "rule base"
+SCENARIO, CONTROLLER_FILE, RULE_BASE, BLOCK_FILE = "scenario", "controller", "rule base", "block"
 """The roles of files."""
 
 BYTE_ORDER_MARK = "\ufeff"

@@ -122,6 +122,26 @@ def _choice(value: Any, known: tuple[str, ...]) -> str:
     return str(value)
 
 
+def _truth(value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise refused("SCN203", f"{{it}} is true or false, not {kind(value)}", "write it without quotes")
+    return value
+
+
+def is_wire(value: Any) -> bool:
+    """Return whether what a key holds is the name of a signal, not a quantity."""
+    return isinstance(value, str) and WIRE.fullmatch(value.replace(" ", "")) is not None
+
+
+def _quantity_or_wire(value: Any) -> str | float:
+    return value if is_wire(value) else _quantity(value)
+
+
+def choice_of(known: tuple[str, ...]) -> Any:
+    """Return the type of a text that is one of `known`."""
+    return Annotated[Any, PlainValidator(lambda value: _choice(value, known)), _schema({}, enum=list(known))]
+
+
 def _expectation(value: Any) -> Any:
     if isinstance(value, dict):
         for each in value.values():
@@ -146,6 +166,12 @@ Text = Annotated[Any, PlainValidator(_text), _schema(TEXT)]
 Filled = Annotated[Any, PlainValidator(_filled), _schema(TEXT, minLength=1)]
 Quantified = Annotated[
     Any, PlainValidator(_quantity), _schema({}, anyOf=[{**WRITTEN, "examples": ["20 t", "-25 m"]}, NUMBER])
+]
+Truth = Annotated[Any, PlainValidator(_truth), _schema({"type": "boolean"})]
+QuantifiedOrWire = Annotated[
+    Any,
+    PlainValidator(_quantity_or_wire),
+    _schema({}, anyOf=[{**TEXT, "examples": ["2.5 kW/m", "rules.kp"]}, NUMBER]),
 ]
 Time = Annotated[Any, PlainValidator(_time), _schema(WRITTEN, examples=["20 ms"])]
 PositiveTime = Annotated[Any, PlainValidator(_positive_time), _schema(WRITTEN, examples=["50 ms", "60 s"])]

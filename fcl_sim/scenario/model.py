@@ -62,7 +62,8 @@ class Setup:
     """Everything that one variant says.
 
     `blocks` has every block by its path: `controller.speed` in the controller,
-    `speed` outside of it. `rule_bases` gives the FCL file of each fuzzy block.
+    `speed` outside of it. `rule_bases` gives the FCL file of each fuzzy block,
+    `block_files` every other file that a block names, by block and parameter.
     """
 
     variant: str
@@ -74,6 +75,7 @@ class Setup:
     controller: ControllerSetup | None
     blocks: Entries
     rule_bases: Mapping[str, Path]
+    block_files: Mapping[tuple[str, str], "SourceFile"] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,6 +4,7 @@ Names, units and references are the binder's work. The leaves are the types of
 `scenario.fields`, whose refusals are written for people.
 """
 
+import math
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
@@ -11,7 +12,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, create_model
 
-from fcl_sim.loop.blocks import BLOCKS, BlockType
+from fcl_sim.loop.blocks import BLOCKS, BlockParameter, BlockType
 from fcl_sim.scenario.fields import (
     Count,
     CycleTime,
@@ -21,11 +22,14 @@ from fcl_sim.scenario.fields import (
     Positive,
     PositiveTime,
     Quantified,
+    QuantifiedOrWire,
     SchemeName,
     Text,
     Time,
+    Truth,
     UnitText,
     WireText,
+    choice_of,
 )
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -148,21 +152,60 @@ def block_models() -> Mapping[str, type[Table]]:
     return MappingProxyType({**models, FUZZY: FuzzyTable})
 
 
+GROUPS: Mapping[str, Any] = {
+    "gains": dict[str, Quantified],
+    "list": list[WireText],
+    "named": dict[Name, WireText],
+}
+"""How the signals of a group are written, by its form."""
+
+PARAMETERS: Mapping[str, Any] = {
+    "quantity": Quantified,
+    "count": Count,
+    "truth": Truth,
+    "text": Filled,
+    "list": list[Quantified],
+    "table": list[list[Quantified]],
+    "units": dict[Name, UnitText],
+    "file": Filled,
+}
+"""How a parameter is written, by its kind; a choice is made from its words."""
+
+
 def _block_model(block: BlockType) -> type[Table]:
     fields: dict[str, Any] = {"type": (Literal[block.name], ...)}
-    for port in block.ports:
-        fields[port] = (WireText, Field(description="the signal it reads"))
+    for port in block.inputs:
+        default = ... if port.default is None else None
+        fields[port.name] = (WireText, Field(default, description=f"signal: {port.meaning}"))
     for each in block.parameters:
-        default = ... if each.default is None else each.default
-        unit = f", in {each.unit}" if each.unit else ""
-        fields[each.name] = (Quantified, Field(default, description=f"{each.meaning}{unit}"))
-    if block.terms:
-        fields[block.terms] = (dict[str, Quantified], Field(description="signals, each with its gain"))
+        written = choice_of(each.choices) if each.kind == "choice" else PARAMETERS[each.kind]
+        default = ... if each.default is None else _finite(each.default)
+        described = f"{each.meaning}{_unit(each)}"
+        fields[each.name] = (
+            QuantifiedOrWire if each.port else written,
+            Field(default, description=described),
+        )
+    group = block.group
+    if group:
+        least: Any = {} if group.least == 0 else ...
+        fields[group.name] = (GROUPS[group.form], Field(least, description=group.meaning))
     name = f"{block.name.capitalize()}Table"
     made: type[Table] = create_model(
         name, __base__=Table, __doc__=f"{block.summary}: {block.equation}", **fields
     )
     return made
+
+
+def _unit(parameter: BlockParameter) -> str:
+    if parameter.kind not in {"quantity", "list"}:
+        return ""
+    written = f", in {parameter.unit}" if isinstance(parameter.unit, str) and parameter.unit else ""
+    return f"{written}; or a signal" if parameter.port else written
+
+
+def _finite(default: Any) -> Any:
+    """Return a default as an editor may show it: JSON has no infinity."""
+    return None if isinstance(default, float) and math.isinf(default) else default
 
 
 def json_schema(of: str = "scenario") -> dict[str, Any]:

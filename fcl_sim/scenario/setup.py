@@ -6,8 +6,9 @@ from types import MappingProxyType
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.scenario.document import CONTROLLER_FILE, RULE_BASE, parse
-from fcl_sim.scenario.model import CONTROLLER, ControllerSetup, PlantSetup, Setup
+from fcl_sim.loop.blocks import BLOCKS
+from fcl_sim.scenario.document import BLOCK_FILE, CONTROLLER_FILE, RULE_BASE, parse
+from fcl_sim.scenario.model import CONTROLLER, ControllerSetup, PlantSetup, Setup, SourceFile
 from fcl_sim.scenario.reading import Reading
 from fcl_sim.scenario.schema import ControllerFile, ScenarioFile
 from fcl_sim.scenario.shape import block_faults, flat, is_fuzzy, shape_faults
@@ -30,6 +31,7 @@ def setup_of(reading: Reading, variant: str, tree: Entry) -> Setup | None:
     if controller is not None:
         blocks |= _blocks(controller, f"{CONTROLLER}.", faults)
     rule_bases = _rule_bases(reading, blocks)
+    block_files = _block_files(reading, blocks)
     timing = None
     if not faults and (named is None or controller is not None):
         timing, more = timing_of(tree, controller)
@@ -47,6 +49,7 @@ def setup_of(reading: Reading, variant: str, tree: Entry) -> Setup | None:
         controller=_controller(reading, named, controller) if named and controller else None,
         blocks=MappingProxyType(blocks),
         rule_bases=MappingProxyType(rule_bases),
+        block_files=MappingProxyType(block_files),
     )
 
 
@@ -88,6 +91,20 @@ def _rule_bases(reading: Reading, blocks: dict[str, Entry]) -> dict[str, Path]:
         if is_fuzzy(block) and file is not None and isinstance(file.value, str) and file.value:
             found[name] = reading.beside(file)
             reading.open(found[name], RULE_BASE, file)
+    return found
+
+
+def _block_files(reading: Reading, blocks: dict[str, Entry]) -> dict[tuple[str, str], SourceFile]:
+    found = {}
+    for name, block in blocks.items():
+        type_ = block.get("type")
+        kind = BLOCKS.get(type_.value) if type_ and isinstance(type_.value, str) else None
+        for parameter in kind.parameters if kind else ():
+            file = block.get(parameter.name)
+            if parameter.kind == "file" and file and isinstance(file.value, str) and file.value.strip():
+                opened = reading.open(reading.beside(file), BLOCK_FILE, file)
+                if opened is not None:
+                    found[name, parameter.name] = opened
     return found
 
 

@@ -88,9 +88,8 @@ def _one(model: type[BaseModel], entry: Entry, what: str, error: ErrorDetails) -
         hint = hint if isinstance(name, str) else "write { ... }"
         return finding("SCN203", f"{_named(location)} is a table, not {kind(at.plain())}", at, hint)
     if error["type"] == "list_type":
-        return finding(
-            "SCN203", f"{_named(location)} is a list, not {kind(at.plain())}", at, f"write [[{name}]]"
-        )
+        hint = f"write [[{name}]]" if name == "require" else f"write {_named(location).strip('`')} = [ ... ]"
+        return finding("SCN203", f"{_named(location)} is a list, not {kind(at.plain())}", at, hint)
     context = error.get("ctx", {})
     message, hint = str(context.get("message", error["msg"])), str(context.get("hint", ""))
     place = at.key if error["loc"][-1] == "[key]" else at.span
@@ -110,7 +109,7 @@ def _at(entry: Entry, location: Location) -> Entry:
 
 def _named(location: Location) -> str:
     if isinstance(location[-1], int):
-        return f"an entry of `{location[-2]}`"
+        return f"an entry of `{next(each for each in reversed(location) if isinstance(each, str))}`"
     return f"`{location[-1]}`"
 
 

@@ -1,6 +1,9 @@
 """Each block against its equation, alone; the table walked, so that none is forgotten."""
 
 import inspect
+import re
+from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,49 +12,121 @@ from hypothesis import strategies as st
 
 from fcl_sim.loop import execute as dispatch
 from fcl_sim.loop import layout
-from fcl_sim.loop.blocks import BLOCKS, TABLE, differentiator, fuzzy, linear
+from fcl_sim.loop.blocks import BLOCKS, CODES, FAMILIES, OPCODES
+from fcl_sim.loop.blocks.declaration import KINDS
+from fcl_sim.loop.row import Row
 from fcl_sim.loop.run import run
+from tests.loop.block_bench import Alone, diagram
 from tests.loop.diagrams import crane, timing
 
-KERNELS = {
-    "sum": linear.weighted_sum,
-    "gain": linear.gain,
-    "differentiator": differentiator.differentiate,
-    "fuzzy": fuzzy.evaluate,
-}
 numbers = st.floats(-1e6, 1e6)
+CASES = [
+    case
+    for file in sorted((Path(__file__).parent / "references").glob("*.py"))
+    for case in import_module(f"tests.loop.references.{file.stem}").CASES
+]
+IDS = [f"{case.block}-{number}" for number, case in enumerate(CASES)]
+ELSEWHERE = {"fuzzy": "tests/engine, and the crane below", "python": "tests/loop/test_outside.py"}
 
 
 class Bench:
-    """One block row over hand-made buffers: inputs at slots 0.., the output behind them, then its states."""
+    """One row of a block with one output, by the signs and numbers that its kernel finds."""
 
     def __init__(self, name, signs, parameters=()):
         count = len(signs)
         block = BLOCKS[name]
-        self.kernel = KERNELS[name]
+        self.kernel = block.kernel
         self.ints = np.array(
-            [TABLE.index(block), layout.FIRST_INPUT + count, count, count + 1, 0, count, *range(count)],
+            [OPCODES[name], layout.FIRST_INPUT + count, count, count + 1, 0, count, *range(count)],
             dtype=np.int64,
         )
         self.floats = np.array([*signs, *parameters], dtype=np.float64)
         self.memory = np.zeros(count + 1 + block.states)
 
-    def step(self, *inputs, cycle=()):
+    def step(self, *inputs, cycle=0.05):
         self.memory[: len(inputs)] = inputs
-        self.kernel(self.ints, self.floats, self.memory, 0, *cycle)
+        self.kernel(Row(self.ints, self.floats, self.memory, 0, cycle, 0.0, 0))
         return self.memory[len(inputs)]
 
 
-def test_every_block_of_the_table_has_a_kernel_an_equation_and_a_branch_of_the_dispatch():
-    source = inspect.getsource(getattr(dispatch.execute, "py_func", dispatch.execute))
-    assert set(KERNELS) == set(BLOCKS)
-    for opcode, block in enumerate(TABLE):
-        kernel = KERNELS[block.name]
-        branch = source.split(f"opcode == {opcode}:")[1].split("elif")[0]
-        assert getattr(kernel, "__name__", "") in branch
-        assert block.equation
-        assert block.source
-        assert block.summary
+def source_of(kernel):
+    return inspect.getsource(getattr(kernel, "py_func", kernel))
+
+
+def test_every_block_of_the_tables_has_an_equation_and_a_branch_of_the_dispatch():
+    for family in FAMILIES:
+        source = source_of(family.execute or dispatch.execute)
+        for code, block in enumerate(family.table):
+            branch = re.search(rf"code == {code}:\n +(\w+)\(", source)
+            if block.kernel is not None:
+                assert branch[1] == block.kernel.__name__
+            assert block.equation
+            assert block.source
+            assert block.summary
+    assert BLOCKS["python"] is FAMILIES[0].table[dispatch.PYTHON_OPCODE]
+
+
+def test_every_family_has_its_branch_and_its_numbers():
+    source = source_of(dispatch.execute_further.function)
+    for number, family in enumerate(FAMILIES[1:], start=1):
+        assert f"family == {number}:\n        {family.name}.execute(" in source
+        assert f"{family.name}.{family.execute.__name__}" in source
+        assert len(family.table) <= CODES
+    assert (1 << dispatch.FAMILY_SHIFT, dispatch.CODE_MASK) == (CODES, CODES - 1)
+    assert len(BLOCKS) == sum(len(family.table) for family in FAMILIES)
+
+
+def test_every_declaration_is_sound():
+    for name, block in BLOCKS.items():
+        keys = [each.name for each in (*block.inputs, *block.parameters)]
+        keys += [block.group.name] if block.group else []
+        assert len(set(keys)) == len(keys), name
+        assert "type" not in keys
+        for parameter in block.parameters:
+            assert parameter.kind in KINDS
+            assert bool(parameter.choices) == (parameter.kind == "choice")
+            assert bool(parameter.columns) == (parameter.kind == "table")
+            assert not parameter.port or parameter.kind == "quantity"
+        if block.group:
+            assert block.group.form in {"gains", "list", "named"}
+            # names of the user's own must not meet those of the block
+            assert block.group.form == "list" or not (block.inputs or block.ports)
+
+
+def test_every_block_has_a_reference():
+    assert {case.block for case in CASES} == set(BLOCKS) - set(ELSEWHERE)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("signals")
+
+
+@pytest.mark.parametrize("case", CASES, ids=IDS)
+def test_a_block_alone_gives_what_its_reference_gives(case, folder):
+    loop = diagram(folder, case.node())
+    alone, scans = Alone(loop), 250
+    random = np.random.default_rng(1)
+    raw = random.choice([-2.0, -0.5, 0.0, 0.0, 1.0, 3.0], (scans, len(case.inputs)))
+    names = list(case.inputs.values())
+    raw = raw[:, [names.index(name) for name in names]]  # ports that read one signal read the same
+    times = [0.02 * n for n in range(scans)]
+    given = np.array([alone.step(raw[n], 0.02, times[n], n) for n in range(scans)])
+    signs = [-1.0 if name.startswith("-") else 1.0 for name in names]
+    samples = {port: (signs[i] * raw[:, i]).tolist() for i, port in enumerate(case.inputs)}
+    assert given == pytest.approx(
+        case.expected(samples, times, 0.02), abs=case.tolerance, rel=0, nan_ok=False
+    )
+
+
+@pytest.mark.parametrize("case", CASES, ids=IDS)
+def test_a_block_of_a_tape_gives_what_its_reference_gives(case, folder):
+    trace = run(diagram(folder, case.node()))
+    assert trace.fault is None
+    outputs = [name for name in trace.names if name.partition(".")[0] == "block"]
+    expected = case.expected(case.read(trace), trace.time.tolist(), 0.02)
+    given = np.array([trace[name] for name in outputs]).T
+    assert given == pytest.approx(expected, abs=case.tolerance, rel=0, nan_ok=False)
 
 
 @given(st.lists(st.tuples(numbers, numbers), min_size=1, max_size=6))
@@ -75,13 +150,13 @@ def test_a_differentiator_follows_its_recursion_from_rest(values, lag, cycle):
     for index, value in enumerate(values):
         if index:
             y = y + cycle / (lag + cycle) * ((value - values[index - 1]) / cycle - y)
-        assert bench.step(value, cycle=(cycle,)) == y
+        assert bench.step(value, cycle=cycle) == y
 
 
 @given(st.floats(-100, 100), st.floats(-100, 100), st.floats(1e-3, 1.0))
 def test_a_differentiator_without_a_filter_gives_the_slope_of_a_ramp(start, slope, cycle):
     bench = Bench("differentiator", [1.0], [0.0])
-    outputs = [bench.step(start + slope * n * cycle, cycle=(cycle,)) for n in range(10)]
+    outputs = [bench.step(start + slope * n * cycle, cycle=cycle) for n in range(10)]
     assert outputs[0] == 0.0
     assert outputs[1:] == pytest.approx([slope] * 9, abs=1e-9 / cycle)
 
@@ -89,7 +164,7 @@ def test_a_differentiator_without_a_filter_gives_the_slope_of_a_ramp(start, slop
 def test_a_filtered_differentiator_settles_on_the_slope_of_a_ramp_with_its_time_constant():
     lag, cycle = 0.5, 0.001
     bench = Bench("differentiator", [1.0], [lag])
-    outputs = np.array([bench.step(2.0 * n * cycle, cycle=(cycle,)) for n in range(3001)])
+    outputs = np.array([bench.step(2.0 * n * cycle, cycle=cycle) for n in range(3001)])
     expected = 2.0 * (1 - np.exp(-np.arange(3001) * cycle / lag))
     assert np.abs(outputs - expected).max() <= 2.0 * cycle / lag
 
@@ -99,6 +174,6 @@ def test_the_blocks_of_a_tape_give_what_they_give_alone():
     speed = Bench("differentiator", [-1.0], [0.05])
     predicted = Bench("sum", [1.0, -6.0])
     for n in range(trace.time.size):
-        rate = speed.step(trace["crane.distance"][n], cycle=(0.05,))
+        rate = speed.step(trace["crane.distance"][n], cycle=0.05)
         assert trace["controller.speed"][n] == rate
         assert trace["controller.predicted"][n] == predicted.step(trace["crane.distance"][n], rate)

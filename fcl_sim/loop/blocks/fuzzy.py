@@ -11,7 +11,7 @@ FUZZY = BlockType(
     summary="a fuzzy function block in FCL",
     equation="fuzzify, aggregate, activate, accumulate, defuzzify; outputs begin at their initial values",
     source="IEC 61131-7 clause 5 and A.2.3",
-    unit=None,
+    kernel=None,  # `execute` calls it with the buffers that it needs
 )
 
 

@@ -2,11 +2,19 @@
 
 from collections.abc import Mapping
 
-from fcl_sim.jit import inlined, u
-from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
-from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, OUTPUT, PARAMETERS
-from fcl_sim.loop.work import Floats, Ints
+from fcl_sim.jit import inlined
+from fcl_sim.loop.blocks.declaration import BlockInput, BlockInputs, BlockOutput, BlockParameter, BlockType
+from fcl_sim.loop.row import Row, inputs, number, read, write
 from fcl_sim.units import Quantity, Unit, UnitError
+
+
+@inlined
+def weighted_sum(row: Row) -> None:
+    """Kernel of `sum`."""
+    total = 0.0
+    for i in range(inputs(row)):
+        total += read(row, i)
+    write(row, 0, total)
 
 
 def _sum_unit(inputs: Mapping[str, Unit], parameters: Mapping[str, Quantity]) -> Unit:
@@ -26,35 +34,29 @@ SUM = BlockType(
     summary="weighted sum of signals",
     equation="y = sum of gain_i * u_i; no memory",
     source="IEC 61131-7 A.3, preparation of the inputs",
-    terms="terms",
-    unit=_sum_unit,
+    kernel=weighted_sum,
+    group=BlockInputs(name="terms", meaning="signals, each with its gain", form="gains"),
+    outputs=(BlockOutput(unit=_sum_unit),),
 )
+
+
+@inlined
+def gain(row: Row) -> None:
+    """Kernel of `gain`."""
+    write(row, 0, number(row, 0) * read(row, 0))
+
+
+def _gain_unit(inputs: Mapping[str, Unit], parameters: Mapping[str, Quantity]) -> Unit:
+    return inputs["input"] * parameters["gain"].unit
+
 
 GAIN = BlockType(
     name="gain",
     summary="a signal times a constant",
     equation="y = gain * u; no memory",
     source="IEC 61131-7 A.3",
-    ports=("input",),
+    kernel=gain,
+    inputs=(BlockInput(name="input", meaning="u"),),
     parameters=(BlockParameter(name="gain", unit=None, meaning="factor, with its unit"),),
-    unit=lambda inputs, parameters: inputs["input"] * parameters["gain"].unit,
+    outputs=(BlockOutput(unit=_gain_unit),),
 )
-
-
-@inlined
-def weighted_sum(ints: Ints, floats: Floats, memory: Floats, at: int) -> None:
-    """Kernel of `sum`; the parameters are the gains, signs included."""
-    total = 0.0
-    gains = ints[u(at + PARAMETERS)]
-    for i in range(ints[u(at + INPUTS)]):
-        total += floats[u(gains + i)] * memory[u(ints[u(at + FIRST_INPUT + i)])]
-    memory[u(ints[u(at + OUTPUT)])] = total
-
-
-@inlined
-def gain(ints: Ints, floats: Floats, memory: Floats, at: int) -> None:
-    """Kernel of `gain`; parameters: the input's sign, the gain."""
-    parameters = ints[u(at + PARAMETERS)]
-    memory[u(ints[u(at + OUTPUT)])] = floats[u(parameters + 1)] * (
-        floats[u(parameters)] * memory[u(ints[u(at + FIRST_INPUT)])]
-    )
