@@ -74,7 +74,9 @@ def astray(cursor: Cursor, wanted: str) -> Astray:
             message = f"{word.shown} before the term {following.shown} is not a hedge"
             return cursor.refuse("FCL201", message, word, f"did you mean {near.lower()}?")
     if cursor.ahead(-2).key in _BEFORE_VARIABLE:
-        return cursor.stray(f"IS, {wanted} is expected after {word.shown}", lambda: _advice(cursor))
+        hint = f"write `{word.text} IS {following.text}`" if cursor.ahead().key in _AFTER_TERM else ""
+        message = f"IS, {wanted} is expected after {word.shown}"
+        return cursor.stray(message, lambda: _advice(cursor) or hint)
     return cursor.stray(f"{wanted} is expected after a subcondition", lambda: _advice(cursor))
 
 

@@ -206,7 +206,7 @@ def subconclusion(cursor: Cursor) -> Conclusion:
     hedges: list[Token] = []
     goes_on = cursor.token.kind is Kind.NAME and not (cursor.starts_line() or cursor.at_statement())
     if goes_on and cursor.token.key not in {*_AFTER_VARIABLE, "OR", "ELSE"}:
-        raise cursor.stray(f"IS is expected after {name.shown}")
+        raise cursor.stray(f"IS is expected after {name.shown}", f"write `{name.text} IS …`")
     if cursor.take("IS"):
         while _at_hedge(cursor):
             hedges.append(_concluded_hedge(cursor))
