@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from docs.blocks import page as blocks
 from docs.conformance import page as conformance
 from fcl_sim.diagnostics.page import FAMILIES, frame, page
 from fcl_sim.diagnostics.page_text import families, page_markdown
@@ -16,7 +17,11 @@ there; "among the rules", that of the rules. Those with a FUNCTION_BLOCK of thei
 def pages() -> dict[str, str]:
     """Return every generated page by its path below this folder."""
     written = {f"diagnostics/{_file(codes)}": _family(title, codes) for title, codes in families()}
-    return {"conformance.md": conformance(), "diagnostics/README.md": _index()} | written
+    return {
+        "blocks.md": blocks(),
+        "conformance.md": conformance(),
+        "diagnostics/README.md": _index(),
+    } | written
 
 
 def _file(codes: tuple[str, ...]) -> str:

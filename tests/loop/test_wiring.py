@@ -100,3 +100,84 @@ def test_every_fault_is_reported_at_once(diagram):
     with pytest.raises(InputFault) as caught:
         wire(broken)
     assert {each.code for each in caught.value.diagnostics} == {"WIR102", "WIR104"}
+
+
+def node(name, kind, inputs=None, **parameters):
+    wires = {port: Wire(source) for port, source in (inputs or {}).items()}
+    given = {key: parse_quantity(each) if each != "forward" else each for key, each in parameters.items()}
+    return Node(name=name, type=kind, inputs=wires, parameters=given)
+
+
+def beside(diagram, *nodes):
+    return replace(diagram, nodes=(*diagram.nodes, *nodes))
+
+
+def test_a_block_that_reads_the_last_scan_opens_an_algebraic_loop(diagram):
+    wiring = wire(
+        beside(
+            diagram,
+            node("next", "sum", {"late": "late", "speed": "crane.speed"}, late=1.0, speed="0.05 s"),
+            node("late", "unit_delay", {"input": "next"}, initial="-25 m"),
+        )
+    )
+    names = [each.name for each in wiring.order]
+    assert names.index("late") < names.index("next")
+    assert wiring.units["next"].symbol == "m"
+
+
+def test_units_that_follow_from_each_other_ask_for_one_of_them(diagram):
+    loop = node("a", "gain", {"input": "b"}, gain=1.0), node("b", "unit_delay", {"input": "a"})
+    assert refusal(beside(diagram, *loop)) == (
+        "error[WIR201]: the unit of `b` depends on itself\n  hint: give `initial` of `b` with its unit"
+    )
+    told = (
+        node("a", "gain", {"input": "b"}, gain="1 s"),
+        node("b", "unit_delay", {"input": "a"}, initial="1 m"),
+    )
+    assert "`b` is in m s, and its own parameters say m" in refusal(beside(diagram, *told))
+
+
+@pytest.mark.parametrize(
+    ("block", "told"),
+    [
+        (
+            node("x", "limiter", {"input": "crane.distance"}, low="1 s"),
+            "`low` of `x`: 1 s does not convert to m\n  hint: it is lower bound; write it in m",
+        ),
+        (
+            node("x", "limiter", {"input": "crane.distance"}, low="2 m", high="1 m"),
+            "error[WIR202]: `x`: `low` lies above `high`",
+        ),
+        (
+            node("x", "limiter", {"input": "crane.distance", "high": "crane.angle"}),
+            "`high` of `x` is in m, and `crane.angle` is in deg",
+        ),
+        (
+            node("x", "integrator", {"input": "crane.speed", "reset": "crane.angle"}),
+            "`reset` of `x` is in 1, and `crane.angle` is in deg",
+        ),
+        (
+            node("x", "integrator", {"input": "crane.speed"}, initial="2 m", high="1 m"),
+            "error[WIR202]: `x`: `initial` lies beyond the limits",
+        ),
+        (
+            node("x", "dead_band", {"input": "crane.speed"}, width="-1 m/s"),
+            "`width` of `x` is -1 m/s\n  hint: it must be at least 0: half the width of the band",
+        ),
+        (node("x", "product", {"1": "crane.speed"}), "error[WIR103]: `x` has fewer than 2 inputs"),
+        (node("x", "dead_band", {"input": "crane.speed"}), "`x` needs its parameter `width`"),
+        (node("x", "integrator", {}), "the input `input` of `x` is not connected"),
+        (node("x", "limiter", {"inpt": "crane.speed"}), "did you mean `input`?"),
+        (node("x", "limiter", {"input": "crane.speed"}, lo="1 m/s"), "has no parameter called `lo`"),
+    ],
+)
+def test_what_a_block_does_not_declare_is_refused(diagram, block, told):
+    assert told in refusal(beside(diagram, block))
+
+
+def test_limits_follow_the_unit_of_what_they_limit(diagram):
+    wiring = wire(beside(diagram, node("x", "limiter", {"input": "crane.distance"}, low="-50 cm")))
+    assert wiring.settings["x"].values["low"] == -0.5
+    area = wire(beside(diagram, node("x", "integrator", {"input": "crane.speed"}, high="50 cm")))
+    assert area.settings["x"].values["high"] == 0.5
+    assert area.units["x"].symbol == "m"

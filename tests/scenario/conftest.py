@@ -50,7 +50,7 @@ def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bench:
 @pytest.fixture
 def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[str], str]:
     """Write a scenario text of one's own, prepare it, return what a user reads."""
-    (tmp_path / "scenarios").mkdir()
+    (tmp_path / "scenarios").mkdir(exist_ok=True)
     monkeypatch.chdir(tmp_path)
 
     def fault(text: str) -> str:

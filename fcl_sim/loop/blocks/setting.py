@@ -52,3 +52,6 @@ class Text:
 
     name: str
     text: str = field(repr=False)
+
+    def __str__(self) -> str:
+        return self.name

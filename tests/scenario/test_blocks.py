@@ -1,0 +1,133 @@
+"""Blocks in a scenario: each kind of input and parameter, and what is wrong with one, where it stands."""
+
+import pytest
+
+from fcl_sim.loop.diagram import Wire
+from fcl_sim.scenario.binder import bind
+from fcl_sim.scenario.reader import read
+from fcl_sim.units import parse_quantity
+
+HEAD = """\
+title = "Blocks"
+duration = "2 s"
+scan = "50 ms"
+[plant]
+model = "crane"
+inputs = { power = "limited" }
+[blocks]
+own = { type = "python", file = "own.py", inputs = { d = "crane.distance" }, outputs = { power = "kW" } }
+start = { type = "step", after = "1", at = "0.5 s" }
+driven = { type = "product", inputs = ["own.power", "-start"] }
+limited = { type = "limiter", input = "driven", low = "-5 W", high = "top" }
+top = { type = "constant", value = "8 kW" }
+"""
+OWN = "def step(inputs, state, t):\n    return -10.0 if inputs['d'] > 1.0 else 0.0\n"
+
+
+@pytest.fixture
+def scenario(tmp_path, monkeypatch):
+    (tmp_path / "scenarios").mkdir(exist_ok=True)
+    (tmp_path / "scenarios" / "own.py").write_text(OWN, "utf-8")
+    monkeypatch.chdir(tmp_path)
+
+    def write(text):
+        file = tmp_path / "scenarios" / "own.toml"
+        file.write_text(text, "utf-8")
+        return read("scenarios/own.toml")
+
+    return write
+
+
+def test_every_kind_of_input_and_parameter_is_bound(scenario):
+    read_in = scenario(HEAD)
+    own, start, driven, limited, top = bind(read_in).nodes
+    assert own.inputs == {"d": Wire("crane.distance")}
+    assert own.parameters["outputs"] == {"power": "kW"}
+    assert str(own.parameters["file"]) == "scenarios/own.py"
+    assert start.parameters == {"after": parse_quantity("1"), "at": parse_quantity("0.5 s")}
+    assert driven.inputs == {"1": Wire("own.power"), "2": Wire("start", -1.0)}
+    assert limited.inputs == {"input": Wire("driven"), "high": Wire("top")}
+    assert limited.parameters == {"low": parse_quantity("-5 W")}
+    assert top.parameters == {"value": parse_quantity("8 kW")}
+    assert "scenarios/own.py" in read_in.digests
+
+
+SLIPS = [
+    ('low = "-5 W"', 'lo = "-5 W"', "SCN201", "`limited` has no key `lo`", "did you mean `low`?"),
+    (
+        'low = "-5 W"',
+        'low = "-5 m"',
+        "WIR201",
+        "`low` of `limited`: -5 m does not convert to kW",
+        "lower bound",
+    ),
+    ('low = "-5 W"', "low = -5", "WIR201", "`low` of `limited`: -5 does not convert to kW", "write it in kW"),
+    (', value = "8 kW"', "", "SCN202", "`top` has no `value`", "the constant, with its unit"),
+    (
+        'inputs = ["own.power", "-start"]',
+        'inputs = "own.power"',
+        "SCN203",
+        "`inputs` is a list, not a text",
+        "[ ... ]",
+    ),
+    (
+        'inputs = ["own.power", "-start"]',
+        "inputs = [3]",
+        "SCN203",
+        "an entry of `inputs` is the name",
+        "in quotes",
+    ),
+    (
+        'inputs = ["own.power", "-start"]',
+        'inputs = ["start"]',
+        "WIR103",
+        "`driven` has fewer than 2",
+        "factors",
+    ),
+    ('"-start"', '"strat"', "WIR102", "there is no signal called `strat`", "did you mean `start`?"),
+    ('at = "0.5 s"', 'at = "0.5 m"', "SCN404", "`at` is in s, and this is in m", "write it in s"),
+    (
+        'file = "own.py"',
+        'file = "onw.py"',
+        "SCN101",
+        "there is no file `scenarios/onw.py`",
+        "did you mean `own.py`?",
+    ),
+    ('outputs = { power = "kW" }', 'outputs = { power = "kWW" }', "SCN204", "there is no unit `kWW`", "kW"),
+    (
+        "outputs =",
+        'function = "stop", outputs =',
+        "WIR202",
+        "has no function `stop`",
+        "def stop(inputs, state, t)",
+    ),
+    (
+        "outputs =",
+        'late = "no", outputs =',
+        "SCN203",
+        "`late` is true or false, not a text",
+        "without quotes",
+    ),
+]
+
+
+@pytest.mark.parametrize("slip", SLIPS, ids=lambda slip: slip[1])
+@pytest.mark.usefixtures("scenario")
+def test_a_slip_in_a_block_is_told_with_its_place_and_mend(written, slip):
+    before, after, code, message, hint = slip
+    text = HEAD.replace(before, after, 1)
+    assert text != HEAD
+    told = written(text)
+    assert "scenarios/own.toml:" in told
+    assert f"error[{code}]" in told
+    assert message in told
+    assert hint in told.partition("hint:")[2]
+    assert "^" in told
+
+
+@pytest.mark.usefixtures("scenario")
+def test_a_choice_is_one_of_its_words(written):
+    block = 'way = { type = "integrator", method = "forwards", input = "crane.speed" }\n'
+    told = written(HEAD + block)
+    assert "`method` cannot be `forwards`" in told
+    assert "did you mean `forward`?" in told
