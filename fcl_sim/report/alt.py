@@ -1,18 +1,43 @@
 """Alternative texts of pictures, written from the data that they show."""
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
 
+from fcl_sim.engine.smooth import degrees_at, sight, turns
 from fcl_sim.judge.verdict import Verdict
 from fcl_sim.loop.trace import Values
-from fcl_sim.model import Singleton, Term
+from fcl_sim.model import Curve as Smooth
+from fcl_sim.model import CurveKind, Singleton, Singletons, Term
 from fcl_sim.report.memberships import Panel
 from fcl_sim.report.sampling import Curve, Surface, Track
-from fcl_sim.report.terms import points_of
+from fcl_sim.report.terms import DRAWN, points_of
 from fcl_sim.report.time_plots import Lane, Shown
 from fcl_sim.report.words import counted, joined, number, one_line, with_unit
+
+TWO_SIGMOIDS = ("gain", "inflection", "gain", "inflection")
+NAMES: Mapping[CurveKind, tuple[str, ...]] = MappingProxyType(
+    {
+        CurveKind.GAUSSIAN: ("mean", "deviation"),
+        CurveKind.GAUSSIAN_PRODUCT: ("left mean", "deviation", "right mean", "deviation"),
+        CurveKind.BELL: ("half width", "slope", "centre"),
+        CurveKind.SIGMOID: ("gain", "inflection"),
+        CurveKind.SIGMOID_DIFFERENCE: TWO_SIGMOIDS,
+        CurveKind.SIGMOID_DISTANCE: TWO_SIGMOIDS,
+        CurveKind.SIGMOID_PRODUCT: TWO_SIGMOIDS,
+        CurveKind.COSINE: ("half width", "centre"),
+        CurveKind.Z_SHAPE: ("start", "end"),
+        CurveKind.S_SHAPE: ("start", "end"),
+        CurveKind.PI_SHAPE: ("rise from", "to", "fall from", "to"),
+        CurveKind.SPIKE: ("centre", "width"),
+        CurveKind.CONCAVE: ("inflection", "end"),
+    }
+)
+"""What the parameters of a curve are called."""
+LEVEL = 1e-9
+"""Degrees that differ less are one."""
 
 
 def of_runs(runs: Sequence[Shown], shown: Sequence[Lane]) -> str:
@@ -114,15 +139,35 @@ def of_memberships(shown: Sequence[Panel]) -> str:
 
 
 def _panel(panel: Panel) -> str:
-    terms = "; ".join(f"{one_line(term.name)} {_shape(term)}" for term in panel.terms)
+    terms = [f"{one_line(term.name)} {_shape(term)}" for term in panel.terms]
+    terms += [f"{formula}, calculated at each evaluation" for formula in panel.formulae]
     visits = "".join(
         f" Visited by {one_line(each.label)}: {number(each.low)} to {with_unit(each.high, panel.unit)}."
         for each in panel.visits
     )
-    return f"{panel.role.capitalize()} {one_line(panel.variable)}: {terms or 'no terms'}.{visits}"
+    told = "; ".join(terms) or "no terms"
+    return f"{panel.role.capitalize()} {one_line(panel.variable)}: {told}.{visits}"
 
 
 def _shape(term: Term) -> str:
-    if isinstance(term.shape, Singleton):
-        return f"at {number(float(term.shape.value))}"
-    return " ".join(f"({number(float(point.x))}, {number(point.degree)})" for point in points_of(term))
+    shape = term.shape
+    if isinstance(shape, Singleton):
+        return f"at {number(float(shape.value))}"
+    if isinstance(shape, Smooth):
+        return _smooth(shape)
+    points = shape.points if isinstance(shape, Singletons) else points_of(term)
+    return " ".join(f"({number(float(point.x))}, {number(point.degree)})" for point in points)
+
+
+def _smooth(curve: Smooth) -> str:
+    """Return kind and parameters of a curve, and where it is highest of what a picture shows."""
+    low, high = sight(curve)
+    xs = np.unique(np.array([*np.linspace(low, high, DRAWN), *turns(curve)]))
+    degrees = degrees_at(curve, xs)
+    top = float(degrees.max())
+    highest = xs[degrees >= top - LEVEL]
+    ends = list(dict.fromkeys(number(float(x)) for x in (highest[0], highest[-1])))
+    named = zip(NAMES[curve.kind], curve.parameters, strict=False)
+    parameters = ", ".join(f"{name} {number(float(value))}" for name, value in named)
+    seen = f"seen from {number(low)} to {number(high)}"
+    return f"{curve.kind}, {parameters}; {seen}, highest, {number(top)}, at {' to '.join(ends)}"

@@ -1,27 +1,40 @@
 """Membership functions of every input and output, with the range that runs visited."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fcl_sim.model import Formula, FunctionBlock, Point, Singleton, Term
+from fcl_sim.model import Formula, FunctionBlock, Singleton, Term
 from fcl_sim.report import style
 from fcl_sim.report.frame import Tick, draw_frame, ticks
-from fcl_sim.report.terms import REACH, extent, initials, points_of, settled
+from fcl_sim.report.naming import Name, arranged, draw_names, height_of
+from fcl_sim.report.terms import (
+    REACH,
+    anchor,
+    calculated,
+    drawn,
+    extent,
+    initials,
+    line_of,
+    points_of,
+    standing,
+)
 from fcl_sim.report.words import bracketed, number, one_line
 
 LEFT, RIGHT = 15.0, 4.0
 ACROSS = style.WIDTH - LEFT - RIGHT
 HEADING = 4.6
 HEIGHT = 17.0
-LABEL = 3.1
 BAR = 2.9
+LINE = 3.0
 TICKS = 5.0
 GAP = 2.0
 TINY = 5.6
 DEGREES = (Tick(0.0, "0"), Tick(0.5, "0.5"), Tick(1.0, "1"))
+TOP = 1.04
+"""Upper end of the axis of degrees."""
 MARGIN = 0.06
 """Room beyond the outermost points, where the degree stays constant, as a share of their span."""
 
@@ -37,7 +50,10 @@ class Visit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Panel:
-    """The axis of one variable: its terms over `low` to `high`."""
+    """The axis of one variable: its terms, standing, over `low` to `high`.
+
+    `formulae` are those of the terms that have no place before an evaluation.
+    """
 
     variable: str
     role: str
@@ -46,6 +62,12 @@ class Panel:
     visits: Sequence[Visit]
     low: float
     high: float
+    formulae: Sequence[str] = ()
+
+    @property
+    def bare(self) -> bool:
+        """Whether there is nothing to draw over an axis."""
+        return bool(self.formulae) and not self.terms and not self.visits
 
 
 Units = Mapping[str, str]
@@ -69,7 +91,8 @@ def panels(block: FunctionBlock, units: Units | None = None, visits: Visits | No
                 variable=variable,
                 role=role,
                 unit=unit_of.get(variable.casefold(), ""),
-                terms=[settled(term, start) for term in terms],
+                terms=[standing(term, start) for term in terms],
+                formulae=[calculated(term) for term in described_terms if isinstance(term.shape, Formula)],
                 visits=seen,
                 low=max(min([low, *(visit.low for visit in seen)]), low - REACH * (high - low)),
                 high=min(max([high, *(visit.high for visit in seen)]), high + REACH * (high - low)),
@@ -82,26 +105,50 @@ def membership_plot(shown: Sequence[Panel]) -> Figure:
     """Return the axes of variables one above the other: degree over the variable, terms named above.
 
     Singletons are stems. A bar below an axis is the range that a run visited.
+    Terms that are formulae are written below.
     """
     with style.styled():
-        lanes = [_name_lanes(panel) for panel in shown]
-        heights = [
-            _height(panel, max(lane.values(), default=0)) for panel, lane in zip(shown, lanes, strict=True)
-        ]
+        shown = [replace(panel, terms=[drawn(term, _span(panel)) for term in panel.terms]) for panel in shown]
+        named = [arranged(_names(panel), ACROSS) for panel in shown]
+        rooms = [0.0 if panel.bare else height_of(names) for panel, names in zip(shown, named, strict=True)]
+        heights = [_height(panel, room) for panel, room in zip(shown, rooms, strict=True)]
         figure = style.blank(sum(heights) + (len(shown) - 1) * GAP)
         top = 0.0
-        for panel, lane, height in zip(shown, lanes, heights, strict=True):
-            names = LABEL * (max(lane.values(), default=0) + 1)
-            axes = style.place(figure, LEFT, top + HEADING + names, ACROSS, HEIGHT)
-            _draw_terms(axes, panel, lane)
-            _draw_visits(axes, panel)
-            _heading(axes, panel, names)
+        for panel, names, room, height in zip(shown, named, rooms, heights, strict=True):
+            axes = style.place(figure, LEFT, top + HEADING + room, ACROSS, HEIGHT)
+            if panel.bare:
+                axes.set_axis_off()
+            else:
+                _draw_terms(axes, panel)
+                draw_names(axes, names, 1.0 / TOP)
+                _draw_visits(axes, panel)
+            _heading(axes, panel, room)
+            _draw_formulae(axes, panel)
             top += height + GAP
     return figure
 
 
-def _height(panel: Panel, lane: int) -> float:
-    return HEADING + LABEL * (lane + 1) + HEIGHT + TICKS + BAR * len(panel.visits)
+def _height(panel: Panel, names: float) -> float:
+    return HEADING + names + _body(panel) + LINE * len(_formulae(panel))
+
+
+def _body(panel: Panel) -> float:
+    """Return the height of an axis with what stands below it, from its upper end; a bare one has none."""
+    return 0.0 if panel.bare else HEIGHT + TICKS + BAR * len(panel.visits)
+
+
+def _formulae(panel: Panel) -> list[str]:
+    """Return the lines that tell the terms which are formulae."""
+    if not panel.formulae:
+        return []
+    text = f"Calculated at each evaluation: {'; '.join(panel.formulae)}."
+    return style.wrapped(text, ACROSS / style.HINTED, style.SMALL).split("\n")
+
+
+def _draw_formulae(axes: Axes, panel: Panel) -> None:
+    for row, line in enumerate(_formulae(panel)):
+        y = 1.0 - (_body(panel) + (row + 1) * LINE) / HEIGHT
+        axes.text(0.0, y, line, transform=axes.transAxes, fontsize=style.SMALL, va="bottom")
 
 
 def _span(panel: Panel) -> tuple[float, float]:
@@ -109,49 +156,18 @@ def _span(panel: Panel) -> tuple[float, float]:
     return panel.low - margin, panel.high + margin
 
 
-def _anchor(term: Term, panel: Panel) -> float:
-    """Return where the name of a term stands: the middle of where its degree is largest."""
-    if isinstance(term.shape, Singleton):
-        return float(term.shape.value)
-    points = [(float(point.x), point.degree) for point in points_of(term)]
-    peak = max(degree for _, degree in points)
-    first = next(index for index, (_, degree) in enumerate(points) if degree == peak)
-    last = len(points) - 1 - next(i for i, (_, degree) in enumerate(reversed(points)) if degree == peak)
+def _names(panel: Panel) -> list[Name]:
     low, high = _span(panel)
-    left = low if first == 0 else points[first][0]
-    right = high if last == len(points) - 1 else points[last][0]
-    return (left + right) / 2.0
+    return [
+        Name(one_line(term.name), (anchor(term, low, high) - low) / (high - low), style.stroke(index)[0])
+        for index, term in enumerate(panel.terms)
+    ]
 
 
-def _name_lanes(panel: Panel) -> dict[int, int]:
-    """Return the lane, from 0 upwards, of each term's name, so that no two names meet."""
-    ends: list[float] = []
-    lanes: dict[int, int] = {}
-    order = sorted(range(len(panel.terms)), key=lambda index: _anchor(panel.terms[index], panel))
-    for index in order:
-        middle, half = _name_place(panel, index)
-        lane = next((lane for lane, end in enumerate(ends) if end < middle - half), len(ends))
-        ends[lane : lane + 1] = [middle + half + 2.0]
-        lanes[index] = lane
-    return lanes
-
-
-def _name_place(panel: Panel, index: int) -> tuple[float, float]:
-    """Return middle and half width of a term's name in mm from the axis' left end, inside its ends."""
-    low, high = _span(panel)
-    half = style.text_width(_name(panel, index), style.SMALL) / 2.0
-    middle = (_anchor(panel.terms[index], panel) - low) / (high - low) * ACROSS
-    return min(max(middle, half), ACROSS - half), half
-
-
-def _name(panel: Panel, index: int) -> str:
-    return style.cut(one_line(panel.terms[index].name), ACROSS, style.SMALL)
-
-
-def _draw_terms(axes: Axes, panel: Panel, lanes: Mapping[int, int]) -> None:
+def _draw_terms(axes: Axes, panel: Panel) -> None:
     low, high = _span(panel)
     axes.set_xlim(low, high)
-    axes.set_ylim(0.0, 1.04)
+    axes.set_ylim(0.0, TOP)
     draw_frame(axes, ticks(low, high, 11), DEGREES, ("", "degree [1]"))
     for index, term in enumerate(panel.terms):
         colour, dashes = style.stroke(index)
@@ -160,52 +176,8 @@ def _draw_terms(axes: Axes, panel: Panel, lanes: Mapping[int, int]) -> None:
             axes.plot([at, at], [0.0, 1.0], color=colour, linewidth=1.1, zorder=3)
             axes.plot([at], [1.0], "o", color=colour, markersize=3.6, clip_on=False, zorder=4)
         else:
-            xs, degrees = _line(points_of(term), low, high)
+            xs, degrees = line_of(points_of(term), low, high)
             axes.plot(xs, degrees, color=colour, linestyle=dashes, linewidth=1.1, clip_on=False, zorder=3)
-        _draw_name(axes, panel, index, lanes[index], colour)
-
-
-def _line(points: tuple[Point, ...], low: float, high: float) -> tuple[list[float], list[float]]:
-    """Return a membership function from `low` to `high`, without the zeros at its ends."""
-    first, last = points[0], points[-1]
-    line = [
-        (low, first.degree),
-        *((float(point.x), point.degree) for point in points),
-        (high, last.degree),
-    ]
-    while len(line) > 2 and line[0][1] == line[1][1] == 0.0:
-        del line[0]
-    while len(line) > 2 and line[-1][1] == line[-2][1] == 0.0:
-        del line[-1]
-    return [x for x, _ in line], [degree for _, degree in line]
-
-
-def _draw_name(axes: Axes, panel: Panel, index: int, lane: int, colour: str) -> None:
-    """Write a term's name above the axis, with a leader where the name stands higher or aside."""
-    middle, _ = _name_place(panel, index)
-    low, high = _span(panel)
-    anchor = (_anchor(panel.terms[index], panel) - low) / (high - low)
-    foot = 1.0 + (0.9 + LABEL * lane) / HEIGHT
-    axes.text(
-        middle / ACROSS,
-        foot,
-        _name(panel, index),
-        transform=axes.transAxes,
-        ha="center",
-        va="bottom",
-        fontsize=style.SMALL,
-        color=colour,
-    )
-    if lane:
-        axes.plot(
-            [anchor, anchor],
-            [1.0 / 1.04, foot],
-            transform=axes.transAxes,
-            color=colour,
-            linewidth=0.4,
-            clip_on=False,
-            zorder=2,
-        )
 
 
 def _draw_visits(axes: Axes, panel: Panel) -> None:

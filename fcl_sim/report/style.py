@@ -42,6 +42,9 @@ HEAT = ("#3d6590", "#5a94a8", "#8fbfae", "#cfdfae", "#fbf3c9")
 SMALL = 6.4
 NORMAL = 7.2
 
+HINTED = 1.08
+"""Drawn on few pixels, text may be so much wider than measured."""
+
 RC: Mapping[Any, object] = MappingProxyType(
     {
         "font.family": [FONT],
@@ -115,14 +118,17 @@ def text_width(text: str, size: float = NORMAL) -> float:
 
 
 def wrapped(text: str, width: float, size: float = NORMAL) -> str:
-    """Break text into lines of at most `width` mm: at blanks, after `.`, `_`, `/`, else anywhere."""
+    """Break text into lines of at most `width` mm: at blanks, after `.`, `_`, `/`, else anywhere.
+
+    A number is broken only where nothing else helps.
+    """
     lines: list[str] = []
     line = ""
     for piece in _pieces(text):
         if line and text_width(line + piece, size) > width:
             lines.append(line.rstrip())
             line = ""
-        line += piece
+        line += piece if line else piece.lstrip()
         while text_width(line, size) > width and len(line) > 1:
             cut = max(1, int(len(line) * width / text_width(line, size)) - 1)
             lines.append(line[:cut])
@@ -132,9 +138,9 @@ def wrapped(text: str, width: float, size: float = NORMAL) -> str:
 
 def _pieces(text: str) -> list[str]:
     pieces = [""]
-    for character in text:
+    for character, after in zip(text, (text + " ")[1:], strict=True):
         pieces[-1] += character
-        if character in " ._/,":
+        if character in " ._/," and not (character == "." and after.isdigit()):
             pieces.append("")
     return [piece for piece in pieces if piece]
 

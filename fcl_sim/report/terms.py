@@ -5,9 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from fcl_sim.engine.smooth import degrees_at, sight
+from fcl_sim.engine.smooth import degrees_at, sight, turns
 from fcl_sim.engine.switches import spikes
-from fcl_sim.model import Curve, FunctionBlock, Point, Points, Singleton, Singletons, Term
+from fcl_sim.fcl.write_expressions import expression
+from fcl_sim.model import Curve, Formula, FunctionBlock, Point, Points, Singleton, Singletons, Term
+from fcl_sim.report.words import one_line
 
 DRAWN = 65
 """Points of a smooth curve in a picture."""
@@ -25,7 +27,7 @@ def initials(block: FunctionBlock) -> Initials:
 
 
 def points_of(term: Term) -> tuple[Point, ...]:
-    """Return the base points of a term that is neither a singleton nor a curve, settled or not."""
+    """Return the base points of a term that is neither a singleton nor a curve."""
     if not isinstance(term.shape, Points):
         raise TypeError(term)
     return term.shape.points
@@ -42,6 +44,13 @@ def abscissae(term: Term, start: Initials) -> list[float]:
     return [_at(point.x, start) for point in points_of(term)]
 
 
+def calculated(term: Term) -> str:
+    """Return what a term that is a formula is calculated by, else nothing."""
+    if not isinstance(term.shape, Formula):
+        return ""
+    return f"{one_line(term.name)} = {one_line(expression(term.shape.expression))}"
+
+
 def extent(terms: Sequence[Term], start: Initials) -> tuple[float, float]:
     """Return the least and the largest abscissa of terms; around a lone one, some room."""
     places = [x for term in terms for x in abscissae(term, start)] or [0.0]
@@ -51,21 +60,59 @@ def extent(terms: Sequence[Term], start: Initials) -> tuple[float, float]:
     return low, high
 
 
-def settled(term: Term, start: Initials) -> Term:
-    """Return a term whose variable abscissae stand at their initial values, never falling (S22).
-
-    A smooth curve becomes as many points as a picture shows.
-    """
-    if isinstance(term.shape, Curve):
-        return replace(term, shape=_drawn(_standing(term.shape, start)))
-    if isinstance(term.shape, Singletons):
-        values = tuple(Point(_at(point.x, start), point.degree) for point in term.shape.points)
-        return replace(term, shape=spikes(Singletons(values)))
+def standing(term: Term, start: Initials) -> Term:
+    """Return a term whose variable abscissae stand at their initial values, never falling (S22)."""
+    shape = term.shape
+    if isinstance(shape, Curve):
+        return replace(term, shape=_standing(shape, start))
+    if isinstance(shape, Singletons):
+        values = tuple(Point(_at(point.x, start), point.degree) for point in shape.points)
+        return replace(term, shape=Singletons(values))
     places = abscissae(term, start)
-    if isinstance(term.shape, Singleton):
+    if isinstance(shape, Singleton):
         return Term(term.name, Singleton(places[0]), term.span)
     points = [Point(max(places[: index + 1]), point.degree) for index, point in enumerate(points_of(term))]
     return Term(term.name, Points(tuple(points)), term.span)
+
+
+def drawn(term: Term, ends: tuple[float, float] | None = None) -> Term:
+    """Return a standing term as a singleton or points; a smooth curve becomes as many as a picture shows.
+
+    `ends` are those of the axis, else of where the curve is to be seen.
+    """
+    if isinstance(term.shape, Curve):
+        return replace(term, shape=_drawn(term.shape, ends))
+    if isinstance(term.shape, Singletons):
+        return replace(term, shape=spikes(term.shape))
+    return term
+
+
+def anchor(term: Term, low: float, high: float) -> float:
+    """Return the middle of where the degree of a drawn term is largest, on an axis from `low` to `high`."""
+    if isinstance(term.shape, Singleton):
+        return float(term.shape.value)
+    points = [(float(point.x), point.degree) for point in points_of(term)]
+    peak = max(degree for _, degree in points)
+    first = next(index for index, (_, degree) in enumerate(points) if degree == peak)
+    last = len(points) - 1 - next(i for i, (_, degree) in enumerate(reversed(points)) if degree == peak)
+    left = low if first == 0 else points[first][0]
+    right = high if last == len(points) - 1 else points[last][0]
+    return (left + right) / 2.0
+
+
+def line_of(points: tuple[Point, ...], low: float, high: float) -> tuple[list[float], list[float]]:
+    """Return a membership function from `low` to `high`, without the zeros at its ends."""
+    first, last = points[0], points[-1]
+    line = [
+        (low, first.degree),
+        *((float(point.x), point.degree) for point in points),
+        (high, last.degree),
+    ]
+    while len(line) > 2 and line[0][1] == line[1][1] == 0.0:
+        del line[0]
+    while len(line) > 2 and line[-1][1] == line[-2][1] == 0.0:
+        del line[-1]
+    return [x for x, _ in line], [degree for _, degree in line]
 
 
 def _standing(curve: Curve, start: Initials) -> Curve:
@@ -73,9 +120,11 @@ def _standing(curve: Curve, start: Initials) -> Curve:
     return replace(curve, parameters=tuple(_at(each, start) for each in curve.parameters))
 
 
-def _drawn(curve: Curve) -> Points:
-    """Return a curve as points, from end to end of where it is to be seen."""
-    xs = np.linspace(*sight(curve), DRAWN)
+def _drawn(curve: Curve, ends: tuple[float, float] | None) -> Points:
+    """Return a curve as points from end to end, most of them where it is to be seen."""
+    low, high = ends or sight(curve)
+    near = np.array([*np.linspace(*sight(curve), DRAWN), *turns(curve)])
+    xs = np.unique(np.concatenate([np.linspace(low, high, DRAWN), near[(low < near) & (near < high)]]))
     pairs = zip(xs.tolist(), degrees_at(curve, xs).tolist(), strict=True)
     return Points(tuple(Point(x, degree) for x, degree in pairs))
 

@@ -30,7 +30,7 @@ def number(value: float, digits: int = 4) -> str:
     """Return a number for a reader: `digits` significant figures, a true minus sign, no `-0`."""
     if not math.isfinite(value):
         return "not a number" if math.isnan(value) else f"{MINUS if value < 0 else ''}∞"
-    return _printed(f"{value:.{digits}g}") if value else "0"
+    return printed(f"{value:.{digits}g}") if value else "0"
 
 
 def with_unit(value: float, unit: str, digits: int = 4) -> str:
@@ -40,10 +40,10 @@ def with_unit(value: float, unit: str, digits: int = 4) -> str:
 
 def exactly(value: float, unit: str) -> str:
     """Return a number that the user wrote with all its digits, and its unit."""
-    return _joined(_printed(wording.exactly(value, "")), unit)
+    return _joined(printed(wording.exactly(value, "")), unit)
 
 
-def _printed(digits: str) -> str:
+def printed(digits: str) -> str:
     """Return a number of Python's as it is printed: `1e-05` as `1e−5`."""
     return EXPONENT.sub(r"e\1", digits).replace("-", MINUS)
 
@@ -78,7 +78,7 @@ def value(verdict: Verdict) -> str:
     asked = verdict.requirement
     limits = [each for each in (asked.minimum, asked.maximum) if each is not None]
     near = min(limits, key=lambda each: abs(each - (verdict.value or 0.0)), default=None)
-    return _joined(_printed(wording.number(verdict.value, near=near)), asked.unit)
+    return _joined(printed(wording.number(verdict.value, near=near)), asked.unit)
 
 
 def expectation(verdict: Verdict) -> str:

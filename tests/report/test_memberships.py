@@ -10,7 +10,8 @@ from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.model import Curve, CurveKind, Point, Points, Singleton, Singletons, Term
 from fcl_sim.report.characteristics import memberships
 from fcl_sim.report.memberships import Panel, Visit, membership_plot, panels
-from fcl_sim.report.terms import abscissae, extent, settled
+from fcl_sim.report.terms import abscissae, extent, standing
+from fcl_sim.report.terms import drawn as shown_as
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, THREE_INPUTS, crane
 
@@ -91,7 +92,7 @@ def test_names_of_terms_do_not_meet_however_close_they_lie(terms):
 def test_points_moved_by_variables_stand_at_their_initial_values_and_never_fall():
     term = Term("t", Points((Point(1.0, 0.0), Point("Limit", 1.0), Point(5.0, 0.0))))
     assert abscissae(term, {"limit": 3.0}) == [1.0, 3.0, 5.0]
-    moved = settled(term, {"limit": 9.0})
+    moved = shown_as(standing(term, {"limit": 9.0}))
     assert [point.x for point in moved.shape.points] == [1.0, 9.0, 9.0]
 
 
@@ -128,7 +129,7 @@ def test_many_variables_take_several_figures():
 
 def test_a_smooth_curve_is_drawn_where_it_can_be_seen():
     term = Term("t", Curve(CurveKind.GAUSSIAN, ("m", 2.0), 0.5))
-    points = settled(term, {"m": 3.0}).shape.points
+    points = shown_as(standing(term, {"m": 3.0})).shape.points
     assert extent([term], {"m": 3.0}) == (-3.0, 9.0)
     assert (points[0].x, points[-1].x) == (-3.0, 9.0)
     assert max(points, key=lambda point: point.degree) == Point(3.0, 0.5)
@@ -138,7 +139,7 @@ def test_a_smooth_curve_is_drawn_where_it_can_be_seen():
 @pytest.mark.parametrize("kind", CurveKind)
 def test_a_curve_of_any_kind_is_seen_between_two_places(kind):
     term = Term("t", Curve(kind, (1.0, 2.0, 3.0, 4.0)))
-    points = settled(term, {}).shape.points
+    points = shown_as(standing(term, {})).shape.points
     low, high = extent([term], {})
     assert low < high
     assert max(point.degree for point in points) > 0.5
@@ -146,7 +147,55 @@ def test_a_curve_of_any_kind_is_seen_between_two_places(kind):
 
 def test_single_values_are_drawn_as_stems_of_their_degrees():
     term = Term("t", Singletons((Point("m", 0.5), Point(1.0, 1.0))))
-    assert settled(term, {"m": 3.0}).shape == Points(
+    assert shown_as(standing(term, {"m": 3.0})).shape == Points(
         (Point(1.0, 0.0), Point(1.0, 1.0), Point(1.0, 0.0), Point(3.0, 0.0), Point(3.0, 0.5), Point(3.0, 0.0))
     )
     assert extent([term], {"m": 3.0}) == (1.0, 3.0)
+
+
+FORMULAE = """FUNCTION_BLOCK law
+VAR_INPUT x: REAL; END_VAR
+VAR_OUTPUT u: REAL; v: REAL; END_VAR
+FUZZIFY x TERM near := GAUSS 0 2; TERM far := SIGM 2 5; TERM at := 3; END_FUZZIFY
+DEFUZZIFY u TERM slow := FUNCTION 2 * x + 1; METHOD: CoGS; DEFAULT := 0; END_DEFUZZIFY
+DEFUZZIFY v TERM slow := FUNCTION x; TERM fast := 20; METHOD: CoGS; DEFAULT := 0; END_DEFUZZIFY
+RULEBLOCK rules AND: MIN; ACCU: MAX;
+    RULE 1: IF x IS near THEN u IS slow, v IS slow;
+    RULE 2: IF x IS far OR x IS at THEN v IS fast;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+"""
+
+
+def test_a_term_that_is_a_formula_is_written_with_it():
+    (picture,) = memberships(loads(FORMULAE), {}, "terms")
+    figure = picture.draw()
+    written = [text for text, _ in texts(figure)]
+    assert "Calculated at each evaluation: slow = 2 * x + 1." in written
+    assert "Calculated at each evaluation: slow = x." in written
+    assert written.count("slow") == 0
+    assert "Output u: slow = 2 * x + 1, calculated at each evaluation." in picture.alt
+    assert cut(figure) == []
+    assert clashes(figure) == []
+
+
+def test_a_variable_of_formulae_alone_has_no_axis():
+    figure = memberships(loads(FORMULAE), {}, "terms")[0].draw()
+    assert [len(axes.lines) > 0 for axes in figure.axes] == [True, False, True]
+
+
+def test_a_smooth_term_is_told_by_its_shape():
+    (picture,) = memberships(loads(FORMULAE), {}, "terms")
+    assert picture.alt.startswith(
+        "Input x: near GAUSS, mean 0, deviation 2; seen from −6 to 6, highest, 1, at 0; "
+        "far SIGM, gain 2, inflection 5; seen from 2 to 8, highest, 0.9975, at 8; at (3, 1). "
+    )
+
+
+def test_a_smooth_curve_is_drawn_as_far_as_its_axis_goes():
+    figure = memberships(loads(FORMULAE), {}, "terms")[0].draw()
+    (low, high) = figure.axes[0].get_xlim()
+    near = max(figure.axes[0].lines, key=lambda line: len(line.get_xdata()))
+    xs, degrees = near.get_data()
+    assert (xs[0], xs[-1]) == (low, high)
+    assert degrees == pytest.approx(np.exp(-(xs**2) / 8.0), abs=1e-9)
