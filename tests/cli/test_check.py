@@ -40,13 +40,13 @@ def test_a_folder_is_searched_and_its_findings_counted(invoke, folder):
     result = invoke("check", "rules")
     assert result.exit_code == 3
     assert result.stdout == (
-        "rules/old/bad.FCL:26:24: error[FCL310]: `cool` is not a term of `temp`\n"
-        "  26 |     RULE 1: IF temp IS cool THEN valve IS inlet;\n"
+        "rules/old/bad.FCL:32:24: error[FCL310]: `cool` is not a term of `temp`\n"
+        "  32 |     RULE 1: IF temp IS cool THEN valve IS inlet;\n"
         "     |                        ^^^^\n"
         "  hint: did you mean `cold`? Valid here: cold or hot\n"
-        "rules/warned.fcl:17:11: warning[FCL335]: DEFUZZIFY valve has no DEFAULT: NC is taken, "
-        "no change while no rule is active\n"
-        "  17 | DEFUZZIFY valve\n"
+        "rules/warned.fcl:22:11: warning[FCL335]: DEFUZZIFY valve has no DEFAULT: "
+        "the output keeps its value while no rule is active (NC)\n"
+        "  22 | DEFUZZIFY valve\n"
         "     |           ^^^^^\n"
         "  hint: write `DEFAULT := NC;` or a number\n"
         "3 files: 1 error, 1 warning (fcl-sim explain FCL310 tells more)\n"
@@ -110,11 +110,11 @@ def test_annotations_are_one_line_each(invoke, folder):
     result = invoke("check", "rules", "--format", "github")
     first, second, last = result.stdout.splitlines()
     assert first == (
-        "::error file=rules/old/bad.FCL,line=26,endLine=26,col=24,endColumn=27,"
+        "::error file=rules/old/bad.FCL,line=32,endLine=32,col=24,endColumn=27,"
         "title=FCL310 a name is not a term of the variable::`cool` is not a term of `temp`"
         "%0Ahint: did you mean `cold`? Valid here: cold or hot"
     )
-    assert second.startswith("::warning file=rules/warned.fcl,line=17,")
+    assert second.startswith("::warning file=rules/warned.fcl,line=22,")
     assert last == "3 files: 1 error, 1 warning (fcl-sim explain FCL310 tells more)"
 
 
