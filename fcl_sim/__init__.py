@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from fcl_sim import interop
     from fcl_sim.block import Block, load, load_all, loads
     from fcl_sim.diagnostics import InputFault
     from fcl_sim.engine.instance import Instance
@@ -20,6 +21,7 @@ __all__ = [
     "Instance",
     "Outcome",
     "__version__",
+    "interop",
     "load",
     "load_all",
     "loads",
@@ -37,9 +39,13 @@ _HOMES = {
     "run": "fcl_sim.testbench",
 }
 """Where each public name lives."""
+_ROOMS = ("interop",)
+"""Rooms that are named whole."""
 
 
 def __getattr__(name: str) -> Any:
+    if name in _ROOMS:
+        return import_module(f"{__name__}.{name}")
     if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(_HOMES[name]), name)

@@ -103,6 +103,16 @@ class Instance:
             memory[self._places[name]] = value
         return explain(self._block, self._program, memory)
 
+    def resume(self, **outputs: float) -> None:
+        """Set outputs to values from which the next call goes on: what NC keeps, as after a warm restart.
+
+        Raises TypeError for an unknown output or what is no number.
+        """
+        names = self._program.output_names
+        values = {declared_name(name, names, "output"): float(value) for name, value in outputs.items()}
+        for name, value in values.items():
+            self._words[self._results[name]] = value
+
     def reset(self) -> None:
         """Set inputs and outputs to their initial values, as a cold restart does."""
         self._memory[:] = self._program.initial

@@ -52,6 +52,24 @@ def test_nc_keeps_the_previous_value_and_at_first_the_initial_one():
     assert (instance.y, instance.active) == (4.0, {"y": False})
 
 
+def test_nc_goes_on_from_the_value_that_a_warm_restart_gives():
+    instance = held(y=0.75)
+    instance.resume(Y=3)
+    assert instance.y == 3.0
+    instance(x=1.5)
+    assert instance.y == 3.0
+    instance.reset()
+    instance(x=1.5)
+    assert instance.y == 0.75
+
+
+def test_a_warm_restart_takes_known_outputs_only():
+    instance = held(y=0.75)
+    with pytest.raises(TypeError, match="no output z; there is y"):
+        instance.resume(y=1.0, z=2.0)
+    assert instance.y == 0.75
+
+
 def test_default_is_taken_where_no_rule_is_active():
     instance = held(default=-8.0)
     instance(x=3.0)
