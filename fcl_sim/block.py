@@ -3,6 +3,7 @@
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,17 +14,22 @@ from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.evaluate import Evaluation, evaluate
 from fcl_sim.engine.explain import Explanation
 from fcl_sim.engine.instance import Instance
+from fcl_sim.engine.narrow import narrowed
+from fcl_sim.engine.precision import PRECISIONS, REAL
 from fcl_sim.engine.program import Program
 from fcl_sim.fcl import Reading, read, read_file
 from fcl_sim.model import FunctionBlock
 
-ARITHMETICS = ("LREAL",)
+ARITHMETICS = tuple(PRECISIONS)
 """The arithmetics in which an instance can compute."""
 
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """A function block with its program; `diagnostics` are the notes and warnings of its reading."""
+    """A function block with its program; `diagnostics` are the notes and warnings of its reading.
+
+    `program` is that of LREAL; `program_in` gives that of another arithmetic.
+    """
 
     function_block: FunctionBlock
     program: Program
@@ -48,29 +54,49 @@ class Block:
         return f"<Block {self.name}: {', '.join(self.inputs)} -> {', '.join(self.outputs)}>"
 
     def instance(self, arithmetic: str = "LREAL") -> Instance:
-        """Return a new instance with its own memory; LREAL is binary64 (S36)."""
+        """Return a new instance with its own memory, in LREAL (binary64) or REAL (binary32) (S36).
+
+        In REAL, the numbers of the rule base are rounded to binary32 as they
+        are assembled, those of a call at the call. Raises InputFault for
+        numbers that REAL cannot carry.
+        """
+        program = self.program_in(arithmetic)
+        return Instance(narrowed(self.function_block, PRECISIONS[arithmetic]), program)
+
+    def program_in(self, arithmetic: str) -> Program:
+        """Return the program in an arithmetic; errors as in `instance`."""
         if arithmetic not in ARITHMETICS:
-            known = listed(ARITHMETICS)
-            raise ValueError(f"arithmetic {arithmetic!r} is not in this version; there is {known}")
-        return Instance(self.function_block, self.program)
+            raise ValueError(f"no arithmetic {arithmetic}; there is {listed(ARITHMETICS)}")
+        return self.program if arithmetic == "LREAL" else self._real
+
+    @cached_property
+    def _real(self) -> Program:
+        return assemble(self.function_block, REAL)
 
     def evaluate(
-        self, values: Mapping[str, ArrayLike], previous: Mapping[str, ArrayLike] | None = None
+        self,
+        values: Mapping[str, ArrayLike],
+        previous: Mapping[str, ArrayLike] | None = None,
+        arithmetic: str = "LREAL",
     ) -> dict[str, NDArray[np.float64]]:
         """Return the outputs at every point of `values`, arrays that are broadcast; there is no state.
 
         NC gives `previous`, else the initial value. An input may be missing
-        where an initial value is declared for it. Raises TypeError for an
+        where an initial value is declared for it. In REAL inputs are rounded to
+        binary32, and outputs are numbers of binary32. Raises TypeError for an
         unknown or missing variable, ValueError for a value that is not finite,
         with the variable and the first index (S37).
         """
-        return dict(self.evaluation(values, previous).outputs)
+        return dict(self.evaluation(values, previous, arithmetic).outputs)
 
     def evaluation(
-        self, values: Mapping[str, ArrayLike], previous: Mapping[str, ArrayLike] | None = None
+        self,
+        values: Mapping[str, ArrayLike],
+        previous: Mapping[str, ArrayLike] | None = None,
+        arithmetic: str = "LREAL",
     ) -> Evaluation:
         """Return what `evaluate` does, and where any rule was active."""
-        return evaluate(self.program, values, previous, self._declared())
+        return evaluate(self.program_in(arithmetic), values, previous, self._declared())
 
     def explain(self, **values: float) -> Explanation:
         """Return one evaluation from the initial state, step by step; inputs and errors as in `evaluate`."""

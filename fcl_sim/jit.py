@@ -1,7 +1,11 @@
 """`kernel` and `entry`: the only file that imports numba.
 
 A kernel is plain Python in numba's subset. `NUMBA_DISABLE_JIT=1` runs the same
-text uncompiled. An entry is a kernel that Python calls: it is compiled at its
+text uncompiled. One text serves two precisions: a kernel that is given binary32
+numbers and no binary64 ones computes in binary32 throughout, as it does
+uncompiled, where NumPy lets a literal take the precision of its partner; for
+numba its float constants are made binary32, and a binary64 number that is left
+is an error of compiling. An entry is a kernel that Python calls: it is compiled at its
 first call, for one explicit signature, and cached on disk in a folder keyed by
 a digest of every kernel source, because numba's own cache does not notice an
 edit in a called function of another file.
@@ -11,7 +15,7 @@ import hashlib
 import os
 import shutil
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -19,7 +23,11 @@ from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
-from numba.core import caching, errors, types
+from numba.core import caching, errors, ir, types
+from numba.core.compiler import CompilerBase, DefaultPassBuilder
+from numba.core.compiler_machinery import AnalysisPass, FunctionPass, register_pass
+from numba.core.typed_passes import NopythonTypeInference
+from numba.core.untyped_passes import IRProcessing
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -62,7 +70,7 @@ def function_type(result: Any, *arguments: Any) -> Any:
 
 def kernel(function: Function) -> Function:
     """Decorate a function that only other kernels call, in numba's subset."""
-    dispatcher: Function = numba.njit(nogil=True, error_model="numpy")(function)
+    dispatcher: Function = _njit()(function)
     return dispatcher
 
 
@@ -72,14 +80,96 @@ def flat(function: Function) -> Function:
     numba's counting costs an atomic operation or two per array and call, as
     much as a small rule base, wherever its own pruning does not see through.
     """
-    dispatcher: Function = numba.njit(nogil=True, error_model="numpy", _nrt=False)(function)
+    dispatcher: Function = _njit(_nrt=False)(function)
     return dispatcher
 
 
 def inlined(function: Function) -> Function:
     """Decorate a small flat kernel that is copied into its callers."""
+    dispatcher: Function = _njit(_nrt=False, forceinline=True)(function)
+    return dispatcher
+
+
+def rounded(function: Function) -> Function:
+    """Decorate a small flat kernel that computes in binary64 whatever it is given, and rounds its result."""
     dispatcher: Function = numba.njit(nogil=True, error_model="numpy", _nrt=False, forceinline=True)(function)
     return dispatcher
+
+
+def _njit(**options: Any) -> Any:
+    return numba.njit(nogil=True, error_model="numpy", pipeline_class=_Pipeline, **options)
+
+
+def _precisions(kind: Any) -> Iterator[Any]:
+    """Yield the float types that a type is made of."""
+    if isinstance(kind, types.Float):
+        yield kind
+    elif isinstance(kind, types.Array):
+        yield from _precisions(kind.dtype)
+    elif isinstance(kind, types.containers.BaseTuple):
+        for each in kind.types:
+            yield from _precisions(each)
+
+
+def _is_single(state: Any) -> bool:
+    """Return whether a kernel is compiled for binary32."""
+    return {each for kind in state.args for each in _precisions(kind)} == {types.float32}
+
+
+def _singly(value: Any) -> Any:
+    """Return a constant with its floats in binary32."""
+    if isinstance(value, float):
+        return np.float32(value)
+    return tuple(map(_singly, value)) if type(value) is tuple else value
+
+
+@register_pass(mutates_CFG=False, analysis_only=False)
+class _SingleConstants(FunctionPass):
+    """Make the float constants of a kernel binary32, where all else that it is given is."""
+
+    _name = "fcl_sim_single_constants"
+
+    def __init__(self) -> None:
+        super().__init__()
+
+    def run_pass(self, state: Any) -> bool:
+        if not _is_single(state):
+            return False
+        for block in state.func_ir.blocks.values():
+            for assignment in block.find_insts(ir.Assign):
+                if isinstance(assignment.value, ir.Const | ir.Global | ir.FreeVar):
+                    assignment.value.value = _singly(assignment.value.value)
+        return True
+
+
+@register_pass(mutates_CFG=False, analysis_only=True)
+class _SingleThroughout(AnalysisPass):
+    """Refuse a kernel that is compiled for binary32 and comes by a binary64 number."""
+
+    _name = "fcl_sim_single_throughout"
+
+    def __init__(self) -> None:
+        super().__init__()
+
+    def run_pass(self, state: Any) -> bool:
+        if _is_single(state):
+            results = [each.return_type for each in state.calltypes.values() if each is not None]
+            for name, kind in [*state.typemap.items(), *(("a result", each) for each in results)]:
+                if types.float64 in _precisions(kind):
+                    message = f"{name} is binary64 in {state.func_id.func_qualname}, called with binary32"
+                    raise CompileError(message)
+        return False
+
+
+class _Pipeline(CompilerBase):
+    """numba's own passes, and ours before and behind the one that infers types."""
+
+    def define_pipelines(self) -> list[Any]:
+        passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        passes.add_pass_after(_SingleConstants, IRProcessing)
+        passes.add_pass_after(_SingleThroughout, NopythonTypeInference)
+        passes.finalize()
+        return [passes]
 
 
 class Entry:
@@ -117,7 +207,7 @@ def entry(signature: Any) -> Callable[[Callable[..., Any]], Entry]:
 
 
 def _compile(function: Callable[..., Any], signature: Any, salt: str) -> Callable[..., Any]:
-    dispatcher: Any = numba.njit(nogil=True, error_model="numpy")(function)
+    dispatcher: Any = _njit()(function)
     if not compiled():
         return cast("Callable[..., Any]", dispatcher)
     folder = cache_folder(salt)

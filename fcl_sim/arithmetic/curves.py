@@ -5,8 +5,9 @@ be moved by variables: what they make of no meaning, such as a deviation of 0
 at the mean itself, has the degree 0.
 """
 
-from math import cos, exp, expm1, inf, log, pi, sin
+from math import inf, pi
 
+from fcl_sim.arithmetic.functions import cos, exp, expm1, log, sin
 from fcl_sim.arithmetic.operators import maximum
 from fcl_sim.jit import flat, inlined
 from fcl_sim.model.curves import CurveKind

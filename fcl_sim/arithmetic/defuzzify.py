@@ -1,18 +1,14 @@
 """Defuzzification (Tables 1 and 2)."""
 
-from math import sqrt
-
 from numpy import float64
 from numpy.typing import NDArray
 
+from fcl_sim.arithmetic.functions import sqrt
 from fcl_sim.arithmetic.operators import maximum, minimum
 from fcl_sim.arithmetic.polyline import VERTEX_SIZE
 from fcl_sim.jit import flat, inlined, u
 
 Floats = NDArray[float64]
-
-TIE = 1.0 - 2.0**-44
-"""Degrees, or areas, whose ratio lies between this and 1 are equal: they were rounded."""
 
 
 @inlined
@@ -60,10 +56,11 @@ def centre_of_gravity(memory: Floats, first: int, end: int, low: float, scale: f
 
 
 @flat
-def centre_of_area(memory: Floats, first: int, end: int, scale: float, top: float) -> float:
+def centre_of_area(memory: Floats, first: int, end: int, scale: float, top: float, tie: float) -> float:
     """Return CoA (Table 2): half the area lies on each side; the middle of a gap there (S33a).
 
-    `top` is the largest degree; degrees count relative to it.
+    `top` is the largest degree; degrees count relative to it. Areas whose ratio
+    lies between `tie` and 1 are equal: they were rounded.
     """
     whole = 0.0
     for vertex in range(first + VERTEX_SIZE, end, VERTEX_SIZE):
@@ -71,7 +68,8 @@ def centre_of_area(memory: Floats, first: int, end: int, scale: float, top: floa
         whole += width * (memory[u(vertex - 1)] / top + memory[u(vertex + 1)] / top)
     half = 0.5 * whole
     before = 0.0  # twice the area, as whole is
-    gap = solution = memory[u(first)]
+    gap: float = memory[u(first)]
+    solution = gap
     held = False
     for vertex in range(first + VERTEX_SIZE, end, VERTEX_SIZE):
         x = memory[u(vertex - 2)]
@@ -81,26 +79,31 @@ def centre_of_area(memory: Floats, first: int, end: int, scale: float, top: floa
         width = (following - x) * scale
         own = width * (degree + next_degree)
         if own > 0.0:
-            if before >= TIE * half and (x > gap or degree == 0.0):
-                return float(0.5 * gap + 0.5 * x)
+            if before >= tie * half and (x > gap or degree == 0.0):
+                middle: float = 0.5 * gap + 0.5 * x
+                return middle
             if held:
                 break
             if before + own > half:
                 rest = maximum(0.0, half - before)
                 root = sqrt(maximum(0.0, degree * degree + (next_degree - degree) / width * rest))
                 solution = minimum(following, x + rest / (degree + root) / scale)
-                if TIE * (before + own) > half:
+                if tie * (before + own) > half:
                     break
                 held = True  # a gap may begin where this piece ends
             gap = following
         before += own
-    return float(solution)
+    return solution
 
 
 @flat
-def extreme_maximum(memory: Floats, first: int, end: int, top: float, direction: int) -> float:
-    """Return the vertex farthest left (`direction` 1) or right (-1) that reaches `top`: LM, RM (S34)."""
+def extreme_maximum(memory: Floats, first: int, end: int, top: float, tie: float, direction: int) -> float:
+    """Return the vertex farthest left (`direction` 1) or right (-1) that reaches `top`: LM, RM (S34).
+
+    Degrees whose ratio lies between `tie` and 1 are equal: they were rounded.
+    """
     vertex = first if direction > 0 else end - VERTEX_SIZE
-    while memory[u(vertex + 1)] < TIE * top:
+    while memory[u(vertex + 1)] < tie * top:
         vertex += direction * VERTEX_SIZE
-    return float(memory[u(vertex)])
+    x: float = memory[u(vertex)]
+    return x

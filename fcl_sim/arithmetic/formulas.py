@@ -4,7 +4,12 @@ Where there is no number, as for the root of -1 or 0 / 0, the result is NaN;
 what is too large is infinite.
 """
 
-from math import (
+from math import inf, nan
+
+from numpy import fmod
+
+from fcl_sim.arithmetic import functions
+from fcl_sim.arithmetic.functions import (
     acos,
     asin,
     atan,
@@ -14,19 +19,14 @@ from math import (
     cosh,
     exp,
     floor,
-    inf,
     log,
     log10,
-    nan,
     sin,
     sinh,
     sqrt,
     tan,
     tanh,
 )
-
-from numpy import fmod
-
 from fcl_sim.jit import flat, inlined
 
 POWER, MODULUS, TIMES, OVER, PLUS, MINUS, ATAN2, MAX, MIN = range(9)
@@ -58,7 +58,7 @@ def power(a: float, b: float) -> float:
         return 0.0 if b > 0.0 else inf
     if not (is_number(a) and is_number(b)) or (a < 0.0 and abs(b) < WHOLE and b != floor(b)):
         return nan
-    size = inf if b * log(abs(a)) > LARGEST_EXPONENT else abs(a) ** b
+    size = inf if b * log(abs(a)) > LARGEST_EXPONENT else functions.power(abs(a), b)
     return -size if a < 0.0 and fmod(b, 2.0) != 0.0 else size
 
 
@@ -76,7 +76,7 @@ def of_two(code: int, a: float, b: float) -> float:
     if code == POWER:
         value = power(a, b)
     elif code == MODULUS:
-        value = float(fmod(a, b)) if b != 0.0 and is_number(a) and b == b else nan  # noqa: PLR0124  NaN is not itself
+        value = fmod(a, b) if b != 0.0 and is_number(a) and b == b else nan  # noqa: PLR0124  NaN is not itself
     elif code == TIMES:
         value = a * b
     elif code == OVER:
@@ -121,10 +121,10 @@ def whole(code: int, a: float) -> float:
     if size >= WHOLE:
         return a
     if code == CEIL:
-        return float(ceil(a))
+        return ceil(a)
     if code == FLOOR:
-        return float(floor(a))
-    below = float(floor(size))
+        return floor(a)
+    below = floor(size)
     rounded = below + 1.0 if size - below >= 0.5 else below
     return rounded if a >= 0.0 else -rounded
 

@@ -4,8 +4,7 @@
 result: 1 - a² is (1 - a) (1 + a), and 1 - √a is (1 - a) / (1 + √a).
 """
 
-from math import sqrt
-
+from fcl_sim.arithmetic.functions import sqrt
 from fcl_sim.jit import flat
 
 VERY, EXTREMELY, SOMEWHAT, SELDOM = range(-17, -21, -1)

@@ -83,15 +83,15 @@ def value_before(memory: Floats, first: int, vertex: int, end: int, x: float) ->
     """Return the limit from the left, at `x`, of a polyline whose next vertex is at `vertex`."""
     if vertex == end:
         return 0.0
-    right = memory[u(vertex)]
-    degree = memory[u(vertex + 1)]
+    right: float = memory[u(vertex)]
+    degree: float = memory[u(vertex + 1)]
     if right == x:
-        return float(degree)
+        return degree
     if vertex == first:
         return 0.0
-    left = memory[u(vertex - VERTEX_SIZE)]
-    before = memory[u(vertex - VERTEX_SIZE + 1)]
-    return float(before + (degree - before) * ((x - left) / (right - left)))
+    left: float = memory[u(vertex - VERTEX_SIZE)]
+    before: float = memory[u(vertex - VERTEX_SIZE + 1)]
+    return before + (degree - before) * ((x - left) / (right - left))
 
 
 @flat

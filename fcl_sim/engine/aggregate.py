@@ -39,12 +39,12 @@ def aggregate(ints: Ints, at: int, rule: int, memory: Floats, base: int) -> floa
     body = rule + RULE_BODY
     length = ints[u(rule + RULE_LENGTH)]
     if kind == ALL_MIN:
-        degree = float(memory[u(base + ints[u(body)])])
+        degree: float = memory[u(base + ints[u(body)])]
         for place in range(body + 1, body + length):
             degree = minimum(degree, memory[u(base + ints[u(place)])])
         return degree
     if kind == ALL_PROD:
-        degree = float(memory[u(base + ints[u(body)])])
+        degree = memory[u(base + ints[u(body)])]
         for place in range(body + 1, body + length):
             degree *= memory[u(base + ints[u(place)])]
         return degree
@@ -98,7 +98,8 @@ def calculate(ints: Ints, at: int, code: int, end: int, memory: Floats, base: in
             )
             memory[u(top + swapped)] = degree
             memory[u(top + 1 - swapped)] = complement
-    return float(memory[u(first)])
+    result: float = memory[u(first)]
+    return result
 
 
 @flat
@@ -107,9 +108,9 @@ def accumulated(ints: Ints, at: int, look: int, memory: Floats, base: int) -> fl
     terms = ints[u(look + LOOK_TERMS)]
     degrees = base + ints[u(look + LOOK_DEGREES)]
     kinds = at + ints[u(look + LOOK_KINDS)]
-    largest = memory[u(degrees + ints[u(look + LOOK_TERM)])]
+    largest: float = memory[u(degrees + ints[u(look + LOOK_TERM)])]
     if ints[u(look + LOOK_GROUPS)] == 0:
-        return float(largest)
+        return largest
     largest = 0.0
     for group in range(ints[u(look + LOOK_GROUPS)]):
         own = degrees + group * terms
@@ -122,4 +123,4 @@ def accumulated(ints: Ints, at: int, look: int, memory: Floats, base: int) -> fl
         elif ints[u(kinds + group)] != GROUP_MAX:
             degree = minimum(1.0, degree)
         largest = max(largest, degree)
-    return float(largest)
+    return largest

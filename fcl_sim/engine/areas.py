@@ -23,6 +23,7 @@ from fcl_sim.engine.program import (
     GROUP_BSUM,
     GROUP_MAX,
     GROUP_NSUM,
+    LIMIT,
     METHOD_COA,
     METHOD_COG,
     METHOD_LM,
@@ -31,6 +32,7 @@ from fcl_sim.engine.program import (
     PART_PAIR,
     PART_PAIRS,
     PART_TERM,
+    TIE,
 )
 from fcl_sim.jit import flat, u
 
@@ -61,16 +63,16 @@ def settle_area(
     memory[u(result + 1)] = end - base
     if first == end:
         return low, 0.0
-    scale = 1.0 / maximum(high - low, 1e-300)
+    scale = 1.0 / maximum(high - low, 1.0 / floats[u(origin + LIMIT)])
     content, distance = centre_of_gravity(memory, first, end, low, scale)
     value = low + distance
     if method != METHOD_COG and content > 0.0:
-        top = highest(memory, first, end)
+        top, tie = highest(memory, first, end), floats[u(origin + TIE)]
         if method == METHOD_COA:
-            value = centre_of_area(memory, first, end, scale, top)
+            value = centre_of_area(memory, first, end, scale, top, tie)
         else:
-            left = extreme_maximum(memory, first, end, top, 1)
-            right = extreme_maximum(memory, first, end, top, -1)
+            left = extreme_maximum(memory, first, end, top, tie, 1)
+            right = extreme_maximum(memory, first, end, top, tie, -1)
             both = 0.5 * left + 0.5 * right
             value = left if method == METHOD_LM else right if method == METHOD_RM else both
     return minimum(high, maximum(low, value)), content

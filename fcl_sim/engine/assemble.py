@@ -15,8 +15,10 @@ from fcl_sim.engine.conditions import Leaf, depth
 from fcl_sim.engine.grid import Cell, Grid, merge
 from fcl_sim.engine.labels import unique_labels
 from fcl_sim.engine.masks import Code, every, fireable, summary_words, words_of
+from fcl_sim.engine.narrow import narrowed, too_large
 from fcl_sim.engine.plan import Moved, Plan, plan
 from fcl_sim.engine.plan_areas import points_of
+from fcl_sim.engine.precision import LREAL, Precision
 from fcl_sim.engine.program import Layout, Program
 from fcl_sim.engine.refuse import refuse
 from fcl_sim.engine.straighten import straightened
@@ -24,13 +26,13 @@ from fcl_sim.engine.switches import switched
 from fcl_sim.model import Curve, FunctionBlock, Variable
 
 
-def assemble(block: FunctionBlock) -> Program:
+def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
     """Return the program of `block`.
 
     Raises InputFault, with every place, for what cannot be evaluated (FCL4xx).
     """
     refuse(block)
-    block = straightened(switched(block))
+    block = narrowed(straightened(narrowed(switched(block), precision)), precision)
     own = plan(block)
     codes = [code_of(rule_block, rule, own) for rule_block in block.rule_blocks for rule in rule_block.rules]
     buffers = Buffers()
@@ -63,11 +65,18 @@ def assemble(block: FunctionBlock) -> Program:
     }
     for word, value in header.items():
         buffers.ints[word] = value
+    buffers.floats[p.LIMIT], buffers.floats[p.TIE] = precision.limit, precision.tie
+    initial = _initial(block, max(outputs.size, clear + cleared))
+    with np.errstate(over="ignore"):
+        floats = np.array(buffers.floats).astype(precision.dtype)
+    flat = np.isinf(floats) & np.isfinite(buffers.floats)
+    if flat.any() or max(len(buffers.ints), initial.size) > precision.whole:
+        raise too_large(block, precision)
     return Program(
         name=block.name,
         ints=np.array(buffers.ints, np.int64),
-        floats=np.array(buffers.floats, np.float64),
-        initial=_initial(block, max(outputs.size, clear + cleared)),
+        floats=floats,
+        initial=initial.astype(precision.dtype),
         input_names=tuple(each.name for each in block.inputs),
         output_names=tuple(each.name for each in block.outputs),
         rule_labels=unique_labels(block),

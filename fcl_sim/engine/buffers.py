@@ -14,7 +14,7 @@ class Buffers:
     """Integers and floats; offsets as in program.py."""
 
     ints: list[int] = field(default_factory=lambda: [0] * p.HEADER_SIZE)
-    floats: list[float] = field(default_factory=lambda: [0.0])
+    floats: list[float] = field(default_factory=lambda: [0.0] * p.BOUNDS)
 
     def put(self, words: Iterable[int]) -> int:
         """Append integers; return where they begin."""

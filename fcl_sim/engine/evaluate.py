@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.engine.entries import evaluate_many
-from fcl_sim.engine.program import Program
+from fcl_sim.engine.entries import EVALUATE_MANY
+from fcl_sim.engine.precision import PRECISIONS
+from fcl_sim.engine.program import Floats, Program
 
 Values = NDArray[np.float64]
 
@@ -51,11 +52,11 @@ def evaluate(
     given = {**inputs, **former}
     names = (*program.input_names, *program.output_names)
     columns = [
-        finite(name, given[name]) if name in given else starts[i : i + 1].reshape(())
+        within(name, given[name], program.arithmetic) if name in given else starts[i : i + 1].reshape(())
         for i, name in enumerate(names)
     ]
     shape = np.broadcast_shapes(*(column.shape for column in columns))
-    stacked = np.empty((len(columns), *shape))
+    stacked = np.empty((len(columns), *shape), starts.dtype)
     for i, column in enumerate(columns):
         stacked[i, ...] = column
     points, outputs = stacked[: program.outputs_at], stacked[program.outputs_at :]
@@ -63,14 +64,14 @@ def evaluate(
     _in_threads(program, points.reshape(-1), outputs.reshape(-1), active.reshape(-1), prod(shape))
     flags = active != 0.0
     return Evaluation(
-        {name: outputs[i, ...] for i, name in enumerate(program.output_names)},
+        {name: outputs[i, ...].astype(np.float64, copy=False) for i, name in enumerate(program.output_names)},
         {name: flags[i, ...] for i, name in enumerate(program.output_names)},
     )
 
 
-def _in_threads(program: Program, points: Values, outputs: Values, active: Values, size: int) -> None:
+def _in_threads(program: Program, points: Floats, outputs: Floats, active: Floats, size: int) -> None:
     """Evaluate all points, many of them on all processors: the kernel holds no lock of the interpreter."""
-    run = evaluate_many.compile()
+    run = EVALUATE_MANY[program.arithmetic].compile()
 
     def stretch(start: int, stop: int) -> None:
         run(program.ints, program.floats, program.initial.copy(), points, outputs, active, start, stop)
@@ -112,4 +113,13 @@ def finite(name: str, value: ArrayLike) -> Values:
         index = tuple(int(axis) for axis in np.argwhere(bad)[0])
         shown = str(index[0]) if len(index) == 1 else str(index)
         raise ValueError(f"{name} is {array[index]} at index {shown}")
+    return array
+
+
+def within(name: str, value: ArrayLike, arithmetic: str) -> Values:
+    """Return what `finite` does; ValueError too for what an arithmetic cannot hold."""
+    array = finite(name, value)
+    largest = PRECISIONS[arithmetic].largest
+    if arithmetic != "LREAL" and array.size > 0 and np.abs(array).max() > largest:
+        raise ValueError(f"{name} has values beyond {largest:g}, to which {arithmetic} reaches")
     return array

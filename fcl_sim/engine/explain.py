@@ -6,14 +6,11 @@ from dataclasses import asdict, dataclass
 from enum import StrEnum
 from functools import partial
 
-import numpy as np
-from numpy.typing import NDArray
-
 from fcl_sim.engine.concluded import degree_so_far
-from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.entries import EVALUATE_ONE
 from fcl_sim.engine.hedged import hedged_degree
 from fcl_sim.engine.plan_areas import algorithms, conclusions
-from fcl_sim.engine.program import Program
+from fcl_sim.engine.program import Floats, Program
 from fcl_sim.engine.switches import counted
 from fcl_sim.engine.words import condition_formula, condition_text, subconditions
 from fcl_sim.model import (
@@ -173,7 +170,7 @@ class _Reading:
 
     block: FunctionBlock
     program: Program
-    memory: NDArray[np.float64]
+    memory: Floats
 
     def input(self, variable: str) -> float:
         names = [name.casefold() for name in self.program.input_names]
@@ -229,13 +226,13 @@ class _Reading:
             yield label, float(degree), rule_block, rule
 
 
-def explain(block: FunctionBlock, program: Program, memory: NDArray[np.float64]) -> Explanation:
+def explain(block: FunctionBlock, program: Program, memory: Floats) -> Explanation:
     """Evaluate once on `memory`, an instance's with its inputs written, and tell each step.
 
     `program` is that of `block`. Every degree is read back from the memory
     that the evaluation leaves behind.
     """
-    evaluate_one(program.ints, program.floats, memory)
+    EVALUATE_ONE[program.arithmetic](program.ints, program.floats, memory)
     reading = _Reading(counted(block), program, memory)
     return Explanation(
         name=block.name,

@@ -98,8 +98,8 @@ def place_formulas(ints: Ints, floats: Floats, origin: int, start: int, memory: 
                 place += 1
             elif code < BINARY:
                 top -= 1
-                memory[u(top)] = of_two(code, float(memory[u(top)]), float(memory[u(top + 1)]))
+                memory[u(top)] = of_two(code, memory[u(top)], memory[u(top + 1)])
             else:
-                memory[u(top)] = of_one(code, float(memory[u(top)]))
+                memory[u(top)] = of_one(code, memory[u(top)])
         memory[u(base + ints[u(record + FORMULA_VALUE)])] = memory[u(first)]
         record = end

@@ -127,7 +127,7 @@ def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> i
         row += width
         first &= int(ints[u(row)])
         if words > 1:
-            memory[u(rows + index)] = row
+            memory[u(rows + index)] = row - at
         grid += GRID_SIZE
     return first
 
@@ -138,7 +138,7 @@ def joined_word(ints: Ints, at: int, memory: Floats, base: int, word: int) -> in
     mask = int(ints[u(at + ints[u(at + ALL)] + word)])
     rows = base + ints[u(at + ROWS)]
     for index in range(ints[u(at + GRIDS)]):
-        mask &= int(ints[u(int(memory[u(rows + index)]) + word)])
+        mask &= int(ints[u(at + int(memory[u(rows + index)]) + word)])
     return mask
 
 

@@ -3,9 +3,10 @@
 from math import isfinite
 from typing import Any, cast
 
-from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.entries import EVALUATE_ONE
 from fcl_sim.engine.evaluate import declared_name
 from fcl_sim.engine.explain import Explanation, explain
+from fcl_sim.engine.precision import PRECISIONS, REAL
 from fcl_sim.engine.program import Program
 from fcl_sim.model import FunctionBlock
 
@@ -18,7 +19,17 @@ class Instance:
     an output keeps its previous value while no rule is active.
     """
 
-    __slots__ = ("_block", "_buffers", "_memory", "_places", "_program", "_results", "_run", "_words")
+    __slots__ = (
+        "_block",
+        "_buffers",
+        "_fits",
+        "_memory",
+        "_places",
+        "_program",
+        "_results",
+        "_run",
+        "_words",
+    )
 
     def __init__(self, block: FunctionBlock, program: Program) -> None:
         self._block = block
@@ -28,17 +39,19 @@ class Instance:
         self._places = {name: place for place, name in enumerate(program.input_names)}
         self._results = {name: place for place, name in enumerate(program.output_names, program.outputs_at)}
         self._buffers = (program.ints, program.floats, self._memory)
-        self._run = evaluate_one.compile()
+        self._fits = isfinite if program.arithmetic == "LREAL" else _fits_real
+        self._run = EVALUATE_ONE[program.arithmetic].compile()
 
     def __call__(self, **inputs: float) -> None:
         """Evaluate once.
 
         Raises TypeError for an unknown input or what is no number, ValueError
-        for a number that is not finite (S37); the instance is then as it was.
+        for a number that is not finite (S37), or beyond REAL; the instance is then
+        as it was.
         """
         places = self._places
         try:
-            usable = all(map(isfinite, inputs.values())) and inputs.keys() <= places.keys()
+            usable = all(map(self._fits, inputs.values())) and inputs.keys() <= places.keys()
         except TypeError:
             usable = False
         if not usable:
@@ -120,17 +133,28 @@ class Instance:
     def _checked(self, inputs: dict[str, Any]) -> dict[str, float]:
         """Return inputs as finite floats by their declared names, or raise what `__call__` says."""
         names = self._program.input_names
-        return {declared_name(name, names, "input"): _finite(name, value) for name, value in inputs.items()}
+        arithmetic = self._program.arithmetic
+        return {
+            declared_name(name, names, "input"): _number(name, value, arithmetic)
+            for name, value in inputs.items()
+        }
 
     def _stretch(self, start: int, names: tuple[str, ...]) -> dict[str, float]:
         return dict(zip(names, self._words[start : start + len(names)].tolist(), strict=True))
 
 
-def _finite(name: str, value: Any) -> float:
+def _fits_real(value: float) -> bool:
+    return abs(value) <= REAL.largest
+
+
+def _number(name: str, value: Any, arithmetic: str) -> float:
     try:
         usable = isfinite(value)
     except TypeError:
         raise TypeError(f"{name} must be a number, not {type(value).__name__}") from None
     if not usable:
         raise ValueError(f"{name} is {value}")
+    largest = PRECISIONS[arithmetic].largest
+    if abs(value) > largest:
+        raise ValueError(f"{name} is {value}; {arithmetic} reaches to {largest:g}")
     return float(value)

@@ -13,7 +13,7 @@ from fcl_sim.engine.program import (
     CURVE_PARAMETER,
     CURVE_SIZE,
     FLOATS,
-    LARGEST,
+    LIMIT,
     MOVE,
     MOVE_COUNT,
     MOVE_INPUT,
@@ -41,13 +41,15 @@ def sourced(source: int, floats: Floats, origin: int, memory: Floats, base: int)
     """Return the number that a source means (program.py)."""
     if source == 0:
         return 1.0
-    return float(floats[u(origin + source)] if source > 0 else memory[u(base - 1 - source)])
+    number: float = floats[u(origin + source)] if source > 0 else memory[u(base - 1 - source)]
+    return number
 
 
 @inlined
 def abscissa(source: int, floats: Floats, origin: int, memory: Floats, base: int) -> float:
     """Return a place on the axis; a variable is taken no further than constants may lie."""
-    return minimum(LARGEST, maximum(-LARGEST, sourced(source, floats, origin, memory, base)))
+    limit: float = floats[u(origin + LIMIT)]
+    return minimum(limit, maximum(-limit, sourced(source, floats, origin, memory, base)))
 
 
 @flat
@@ -56,9 +58,10 @@ def fuzzify_curve(
 ) -> tuple[float, float]:
     """Return the degree, and 1 minus it, of a term that is a smooth curve."""
     a = record + CURVE_PARAMETER
+    limit = floats[u(origin + LIMIT)]
     return curve_degree(
         -1 - ints[u(record + MOVE_COUNT)],
-        minimum(LARGEST, maximum(-LARGEST, x)),
+        minimum(limit, maximum(-limit, x)),
         abscissa(ints[u(a)], floats, origin, memory, base),
         abscissa(ints[u(a + 1)], floats, origin, memory, base),
         abscissa(ints[u(a + 2)], floats, origin, memory, base),

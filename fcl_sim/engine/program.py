@@ -30,7 +30,7 @@ Header (i):
     CLEARED       number of words to clear, a multiple of 4
     CLAMPS        (m) how many variables brought in lay outside [0, 1]
     VISITED       (m) with SUMMARY > 0: how many words of the mask were visited, and which
-    ROWS          (m) with WORDS > 1: where each grid's current mask begins (i, from the buffer's first word)
+    ROWS          (m) with WORDS > 1: where each grid's current mask begins (i)
     STACK         (m) stack of the postfix code
 
 Grid record (i), one for each input that has terms with constant points:
@@ -122,8 +122,11 @@ Area record (i):
     AREA_ROOM     words of each
     AREA_RESULT   (m) where the accumulated area begins and ends (m)
 
-Points are three words each (arithmetic.polyline). Floats begin with an unused
-word, so that no offset of a constant is 0.
+Points are three words each (arithmetic.polyline).
+
+Floats (f) begin with what their precision sets, so that no offset of a constant is 0:
+    LIMIT         variables on an axis are taken no further than this, up or down
+    TIE           degrees, or areas, whose ratio lies between this and 1 are equal: they were rounded
 
 Instance memory (m), a head that traces record and the work behind it:
     inputs | outputs | active flags | degrees of the rules |
@@ -212,13 +215,19 @@ GROUP_MAX, GROUP_BSUM, GROUP_NSUM, GROUP_SUM, GROUP_NORM = range(5)
 BY_COGS, BY_DEGREE, BY_SINGLETONS, BY_AREA = range(4)
 METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM, METHOD_SUM = range(6)
 
+LIMIT, TIE, BOUNDS = range(3)
+
+LARGEST = 1e300
+"""Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
+
 MASK_BITS = 32
 DE_BRUIJN = 0x077CB531
 """Times a power of two below 2**32, bits 27 to 31 of the product tell which one."""
 SEGMENT_SIZE = 3
 FORMULA_PUSH = -1
-LARGEST = 1e300
-"""Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
+
+
+Floats = NDArray[np.float64] | NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -250,18 +259,24 @@ class Program:
     """A function block ready to be evaluated; the table of offsets heads this file.
 
     `initial` is an instance's memory before its first call: inputs and outputs
-    at their initial values, declared or 0. `rule_labels` are unique: led by the
+    at their initial values, declared or 0. `floats` and `initial` are of the
+    program's precision. `rule_labels` are unique: led by the
     rule block's name where there are several, numbered where one repeats.
     """
 
     name: str
     ints: NDArray[np.int64]
-    floats: NDArray[np.float64]
-    initial: NDArray[np.float64]
+    floats: Floats
+    initial: Floats
     input_names: tuple[str, ...]
     output_names: tuple[str, ...]
     rule_labels: tuple[str, ...]
     layout: Layout
+
+    @property
+    def arithmetic(self) -> str:
+        """Name of its arithmetic: LREAL or REAL."""
+        return "REAL" if self.floats.dtype == np.float32 else "LREAL"
 
     @property
     def size(self) -> int:

@@ -5,7 +5,6 @@ from math import inf
 from numpy import float64, int64
 from numpy.typing import NDArray
 
-from fcl_sim.arithmetic.defuzzify import TIE
 from fcl_sim.arithmetic.operators import maximum, minimum
 from fcl_sim.engine.areas import settle_area
 from fcl_sim.engine.formulas import place_formulas
@@ -24,6 +23,7 @@ from fcl_sim.engine.program import (
     OUT_METHOD,
     OUT_MORE,
     OUT_TERMS,
+    TIE,
 )
 from fcl_sim.jit import flat, u
 
@@ -54,7 +54,7 @@ def result(
     method = ints[u(output + OUT_METHOD)]
     more = at + ints[u(output + OUT_MORE)]
     if kind == BY_DEGREE:
-        return float(memory[u(degrees)]), float(memory[u(degrees)])
+        return memory[u(degrees)], memory[u(degrees)]
     if kind == BY_AREA:
         return settle_area(ints, floats, at, more, method, memory, base)
     terms = ints[u(output + OUT_TERMS)]
@@ -74,7 +74,7 @@ def result(
         place = abscissa(ints[u(more + term)], floats, origin, memory, base)
         centre += place * (degree / total)
         added += place * degree
-        if degree >= TIE * top:
+        if degree >= floats[u(origin + TIE)] * top:
             left, right = minimum(left, place), maximum(right, place)
     if method == METHOD_COG:
         return centre, total

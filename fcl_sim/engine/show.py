@@ -89,7 +89,7 @@ def _grids(program: Program) -> Iterator[str]:
                     yield f"      {names[slot]} = {value:g}{rise}"
 
 
-def _place(knots: np.ndarray[tuple[int], np.dtype[np.float64]], cell: int) -> str:
+def _place(knots: p.Floats, cell: int) -> str:
     left = f"{knots[(cell - 1) // 2]:g}" if cell > 0 else "-inf"
     if cell % 2:
         return f"x = {left}"

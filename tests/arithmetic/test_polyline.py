@@ -11,6 +11,7 @@ from fcl_sim.arithmetic.defuzzify import centre_of_area, centre_of_gravity, extr
 from fcl_sim.arithmetic.polyline import activate, bound, join
 from fcl_sim.jit import F, entry, f8, i8, signature
 
+TIE = 1.0 - 2.0**-44
 ROOM = 400
 """Words for each polyline of a test."""
 
@@ -37,12 +38,12 @@ def gravity(memory, first, end, low, scale):
 
 @entry(signature(f8, F, i8, i8, f8, f8))
 def bisector(memory, first, end, scale, top):
-    return centre_of_area(memory, first, end, scale, top)
+    return centre_of_area(memory, first, end, scale, top, TIE)
 
 
 @entry(signature(f8, F, i8, i8, f8, i8))
 def extreme(memory, first, end, top, direction):
-    return extreme_maximum(memory, first, end, top, direction)
+    return extreme_maximum(memory, first, end, top, TIE, direction)
 
 
 def value_at(vertices, x):
