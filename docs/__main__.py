@@ -4,6 +4,7 @@ from pathlib import Path
 
 from docs.blocks import page as blocks
 from docs.conformance import page as conformance
+from docs.metrics import page as metrics
 from fcl_sim.diagnostics.page import FAMILIES, frame, page
 from fcl_sim.diagnostics.page_text import families, page_markdown
 
@@ -20,6 +21,7 @@ def pages() -> dict[str, str]:
     return {
         "blocks.md": blocks(),
         "conformance.md": conformance(),
+        "metrics.md": metrics(),
         "diagnostics/README.md": _index(),
     } | written
 

@@ -1,5 +1,6 @@
 """What a metric is: a pure function of a signal, with its definition in words."""
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -9,11 +10,27 @@ from fcl_sim.units import Unit, parse_unit
 
 
 class Kind(StrEnum):
-    """What an argument is measured in: the signal's unit, seconds, or nothing."""
+    """What an argument is measured in: the signal's unit, seconds, a list of seconds, or nothing."""
 
     SIGNAL = "signal"
     TIME = "time"
+    TIMES = "times"
     NUMBER = "number"
+
+
+class Reads(StrEnum):
+    """What a metric is taken of."""
+
+    SIGNAL = "signal"
+    UNDEFINED = "undefined"
+    """1 where no rule was active for an output of a rule base, else 0."""
+
+
+class Combined(StrEnum):
+    """What becomes of a metric that is taken anew from each restart on."""
+
+    WORST = "worst"
+    SUM = "sum"
 
 
 class Better(StrEnum):
@@ -49,6 +66,14 @@ WINDOW = (
 )
 """Every metric takes these."""
 
+RESTART_AT = Argument(
+    "restart_at", Kind.TIMES, "times at which it is taken anew; the worst counts, or the sum", optional=True
+)
+"""Every metric takes this, too: a list of times within the window, rising.
+
+A piece ends just before the next restart: its last sample is held until there.
+"""
+
 
 @dataclass(frozen=True, slots=True)
 class UnitRule:
@@ -74,6 +99,12 @@ class Bound:
         above = self.minimum is None or value >= self.minimum
         below = self.maximum is None or value <= self.maximum
         return above and below and value == value  # noqa: PLR0124  NaN differs from itself
+
+    def margin(self, value: float) -> float:
+        """Return how far `value` lies within, negative where it does not; inf where nothing is bound."""
+        above = math.inf if self.minimum is None else value - self.minimum
+        below = math.inf if self.maximum is None else self.maximum - value
+        return min(above, below)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -118,7 +149,8 @@ class Metric:
     `words` name it in a sentence; `definition` says exactly what is computed.
     `never` completes "SIGNAL does not …" where the number is infinite,
     `undefined` is the sentence after "SIGNAL" where it is NaN. `limits` gives
-    what a bound means sample by sample, where it means that.
+    what a bound means sample by sample, where it means that. Of the arguments
+    `any_of` one at least must be given.
     """
 
     name: str
@@ -131,6 +163,9 @@ class Metric:
     never: str = ""
     undefined: str = ""
     limits: LimitsOf = no_limits
+    reads: Reads = Reads.SIGNAL
+    combined: Combined = Combined.WORST
+    any_of: tuple[str, ...] = ()
 
     def measure(self, time: Values, values: Values, given: Mapping[str, float]) -> float:
         """Take the metric with the given arguments, the others at their defaults."""

@@ -21,7 +21,11 @@ def crossing(time: Values, values: Values, level: float, before: int) -> float:
 
 
 def settling_time(time: Values, values: Values, *, final: float, band: float) -> float:
-    """Return when |values - final| <= band begins to hold for good; inf where the last sample is outside."""
+    """Return when |values - final| <= band begins to hold for good; inf where the last sample is outside.
+
+    >>> settling_time(np.arange(4.0), np.array([4.0, 2.0, 0.0, 0.0]), final=0.0, band=0.5)
+    1.75
+    """
     outside = np.flatnonzero(np.abs(values - final) > band)
     if outside.size == 0:
         return 0.0
@@ -39,6 +43,9 @@ def rise_time(
 
     The levels are the parts `low` and `high` of that way. NaN where there is no
     way to go, inf where a level is not reached.
+
+    >>> rise_time(np.arange(3.0), np.array([4.0, 2.0, 0.0]), final=0.0, low=0.25, high=0.75)
+    1.0
     """
     start = float(values[0]) if initial is None else initial
     if start == final:
@@ -57,11 +64,36 @@ def _first_passage(time: Values, part: Values, level: float) -> float:
 
 
 def overshoot(_time: Values, values: Values, *, final: float, initial: float | None = None) -> float:
-    """Return how far the signal goes beyond `final` in the direction of motion; NaN where there is none."""
+    """Return how far the signal goes beyond `final` in the direction of motion; NaN where there is none.
+
+    >>> overshoot(np.arange(4.0), np.array([25.0, 3.0, -2.0, 0.0]), final=0.0)
+    2.0
+    """
     start = float(values[0]) if initial is None else initial
     if start == final:
         return math.nan
     return max(0.0, float(np.max((values - final) * math.copysign(1.0, final - start))))
+
+
+def undershoot(_time: Values, values: Values, *, final: float, initial: float | None = None) -> float:
+    """Return how far the signal goes back behind `initial`; NaN where there is no motion to go against.
+
+    >>> undershoot(np.arange(4.0), np.array([0.0, -0.5, 3.0, 4.0]), final=4.0)
+    0.5
+    """
+    start = float(values[0]) if initial is None else initial
+    if start == final:
+        return math.nan
+    return max(0.0, float(np.max((start - values) * math.copysign(1.0, final - start))))
+
+
+def transient_time(time: Values, values: Values, *, final: float, part: float) -> float:
+    """Return when |values - final| begins to stay within `part` of its largest value; inf where it does not.
+
+    >>> transient_time(np.arange(4.0), np.array([-1.0, 4.0, 0.0, 0.0]), final=0.0, part=0.25)
+    1.75
+    """
+    return settling_time(time, values, final=final, band=part * float(np.max(np.abs(values - final))))
 
 
 def _settled(bound: Bound, window: Window, arguments: Mapping[str, float]) -> Limits | None:
@@ -78,6 +110,15 @@ def _not_beyond(bound: Bound, window: Window, arguments: Mapping[str, float]) ->
     if final > start:
         return Limits(high=final + bound.maximum, start=0.0, end=window.length)
     return Limits(low=final - bound.maximum, start=0.0, end=window.length)
+
+
+def _not_behind(bound: Bound, window: Window, arguments: Mapping[str, float]) -> Limits | None:
+    start, final = arguments.get("initial", window.first), arguments["final"]
+    if bound.maximum is None or start == final:
+        return None
+    if final > start:
+        return Limits(low=start - bound.maximum, start=0.0, end=window.length)
+    return Limits(high=start + bound.maximum, start=0.0, end=window.length)
 
 
 NO_MOTION = "starts at its final value, so there is no motion towards it to measure"
@@ -120,5 +161,30 @@ RESPONSE = (
         arguments=(FINAL, INITIAL),
         undefined=NO_MOTION,
         limits=_not_beyond,
+    ),
+    Metric(
+        name="undershoot",
+        take=undershoot,
+        words="undershoot",
+        definition="largest distance of the signal behind its initial value, against the direction from the "
+        "initial to the final value, in the unit of the signal; 0 where it does not go behind",
+        unit=UnitRule(signal=1),
+        arguments=(FINAL, INITIAL),
+        undefined=NO_MOTION,
+        limits=_not_behind,
+    ),
+    Metric(
+        name="transient_time",
+        take=transient_time,
+        words="transient time",
+        definition="time from the start of the window until |signal - final| stays within a part of its "
+        "largest value in the window, to the end of it; the crossing is interpolated linearly "
+        "between two scans",
+        unit=UnitRule(time=1),
+        arguments=(
+            FINAL,
+            Argument("part", Kind.NUMBER, "part of the largest error that is left", default=0.02),
+        ),
+        never="settle",
     ),
 )

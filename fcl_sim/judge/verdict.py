@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from fcl_sim.diagnostics import Span
+from fcl_sim.judge.temporal.formula import Formula
 
 
 class Status(StrEnum):
@@ -26,24 +27,33 @@ def worst(statuses: list[Status]) -> Status:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Requirement:
-    """A bound on a metric of the trace.
+    """A bound on a metric of the trace, or a formula that holds.
 
     `metric` names a row of `judge.metrics.METRICS`, `signal` the signal it is
     taken of, `arguments` its further arguments as numbers in the unit of the
-    signal, or seconds. `minimum` and `maximum` are in `unit`, the metric's.
+    signal, or seconds; `restart_at` the times, in seconds, at which it is taken
+    anew. `minimum` and `maximum` are in `unit`, the metric's. With a `formula`
+    these are empty, and `unit` is that of its robustness.
     `expect_fail` says that the run is meant to miss it; the text says why.
     """
 
     id: str
     text: str
-    metric: str
-    signal: str
+    metric: str = ""
+    signal: str = ""
+    formula: Formula | None = None
     arguments: Mapping[str, float] = field(default_factory=dict)
+    restart_at: tuple[float, ...] = ()
     minimum: float | None = None
     maximum: float | None = None
     unit: str = ""
     expect_fail: bool = False
     span: Span | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """The signals that it is about, each once."""
+        return (self.signal,) if self.formula is None else self.formula.signals
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,8 +73,10 @@ class Verdict:
 
     `measured` is what the run came to, `status` the verdict after `expect_fail`:
     an expected FAIL is a PASS, an unexpected PASS a FAIL. `value` is in the
-    requirement's unit, None where it could not be taken. `definition` is the
-    metric in words, `reason` one sentence for a reader.
+    requirement's unit, None where it could not be taken; of a formula it is the
+    robustness. `definition` is the metric in words, or the formula, `reason`
+    one sentence for a reader.
+    `violation` is what is first violated, from when to when in seconds.
     """
 
     requirement: Requirement

@@ -56,6 +56,9 @@ def definition(metric: Metric, requirement: Requirement, signal_unit: str) -> st
         value = requirement.arguments.get(each.name, default)
         if value is not None:
             given.append(f"{each.name} = {exactly(value, units[each.kind])}")
+    if requirement.restart_at:
+        times = ", ".join(short(each) for each in requirement.restart_at)
+        given.append(f"restart_at = {times} s")
     return f"{metric.definition}; {', '.join(given)}" if given else metric.definition
 
 
@@ -75,6 +78,6 @@ def never(metric: Metric, requirement: Requirement, end: float, last: str) -> st
 
 def as_sentence(text: str, requirement: Requirement) -> str:
     """Return text with a capital and a full stop; a signal keeps its letter case."""
-    if text.startswith(requirement.signal):
+    if requirement.signal and text.startswith(requirement.signal):
         return f"{text}."
     return f"{text[0].upper()}{text[1:]}."

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from fcl_sim.diagnostics import Source, Span
+from fcl_sim.judge.temporal.formula import Statement
 from fcl_sim.loop.diagram import Integration, Timing
 from fcl_sim.toml.tree import Entry
 
@@ -82,18 +83,20 @@ class Setup:
 class RequirementText:
     """A requirement as written: numbers still have their own units.
 
-    `expect` names the runs that are expected to miss it.
+    It has either a `statement`, a formula that was read, or a `metric` with all
+    that follows it. `expect` names the runs that are expected to miss it.
     """
 
     id: str
     text: str
-    metric: str
-    signal: Entry
-    arguments: Entries
-    minimum: Entry | None
-    maximum: Entry | None
     expect: frozenset[str]
     span: Span = field(compare=False, repr=False)
+    statement: Statement | None = None
+    metric: str = ""
+    signal: Entry | None = None
+    arguments: Entries = field(default_factory=dict)
+    minimum: Entry | None = None
+    maximum: Entry | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,12 +1,16 @@
 """[[require]] → requirements: first as written, then in the units of the signals they bound."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import Any
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.judge.metric import WINDOW, Argument, Kind, Metric
+from fcl_sim.judge.metric import RESTART_AT, WINDOW, Argument, Kind, Metric
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Requirement
+from fcl_sim.scenario.formulae import in_units, statement_of
 from fcl_sim.scenario.model import RequirementText
 from fcl_sim.scenario.quantities import converted
 from fcl_sim.toml.tree import Entry, finding
@@ -33,28 +37,57 @@ def requirement_texts(
 
 
 def _text(entry: Entry, variants: Sequence[str], faults: list[Diagnostic]) -> RequirementText | None:
-    identity, words, metric = entry.get("id"), entry.get("text"), entry.get("metric")
+    identity, words = entry.get("id"), entry.get("text")
+    metric, formula = entry.get("metric"), entry.get("formula")
     faults += _expectation_faults(entry.get("expect"), variants)
-    if metric is None or not metric.is_table:
+    faults += _kind_faults(entry)
+    found = _measured(entry, metric, faults) if metric is not None else None
+    if formula is not None:
+        statement = statement_of(formula, faults)
+        found = None if statement is None else {"statement": statement}
+    if found is None or identity is None or words is None:
+        return None
+    return RequirementText(
+        id=str(identity.value),
+        text=str(words.value),
+        expect=_expected(entry.get("expect"), variants),
+        span=entry.key,
+        **found,
+    )
+
+
+def _kind_faults(entry: Entry) -> Iterator[Diagnostic]:
+    """Yield what is wrong with the choice between a metric and a formula."""
+    metric, formula = entry.get("metric"), entry.get("formula")
+    if metric is None and formula is None:
+        hint = 'write metric = { NAME = { signal = ... } } with min or max, or formula = "..."'
+        yield finding("SCN408", "the requirement has neither `metric` nor `formula`", entry.key, hint)
+    elif formula is not None:
+        for name in ("metric", "min", "max"):
+            other = entry.get(name)
+            if other is not None:
+                hint = "a second requirement can have it" if name == "metric" else "compare in the formula"
+                yield finding("SCN408", f"a requirement with a `formula` has no `{name}`", other.key, hint)
+
+
+def _measured(entry: Entry, metric: Entry, faults: list[Diagnostic]) -> dict[str, Any] | None:
+    """Return what a requirement says about its metric."""
+    if not metric.is_table:
         return None
     faults += _metric_faults(metric, entry)
-    if len(metric.table) != 1 or identity is None or words is None:
+    if len(metric.table) != 1:
         return None
     ((name, arguments),) = metric.table.items()
     signal = arguments.get(SIGNAL)
     if name not in METRICS or signal is None:
         return None
-    return RequirementText(
-        id=str(identity.value),
-        text=str(words.value),
-        metric=name,
-        signal=signal,
-        arguments=arguments.without(SIGNAL).table,
-        minimum=entry.get("min"),
-        maximum=entry.get("max"),
-        expect=_expected(entry.get("expect"), variants),
-        span=entry.key,
-    )
+    return {
+        "metric": name,
+        "signal": signal,
+        "arguments": arguments.without(SIGNAL).table,
+        "minimum": entry.get("min"),
+        "maximum": entry.get("max"),
+    }
 
 
 def _twice(text: RequirementText, before: Sequence[RequirementText]) -> Iterator[Diagnostic]:
@@ -99,7 +132,7 @@ def _metric_faults(metric: Entry, requirement: Entry) -> Iterator[Diagnostic]:
 
 
 def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
-    known = [SIGNAL, *(each.name for each in (*metric.arguments, *WINDOW))]
+    known = [SIGNAL, *(each.name for each in (*metric.arguments, *WINDOW, RESTART_AT))]
     meant = set()
     for name, entry in arguments.table.items():
         if name not in known:
@@ -112,6 +145,9 @@ def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
     for name, meaning in wanted:
         if name not in arguments.table and name not in meant:
             yield finding("SCN402", f"`{metric.name}` needs `{name}`: {meaning}", arguments.key)
+    if metric.any_of and not set(metric.any_of) & (arguments.table.keys() | meant):
+        names = " or ".join(f"`{each}`" for each in metric.any_of)
+        yield finding("SCN402", f"`{metric.name}` needs {names}, or both", arguments.key)
     signal = arguments.get(SIGNAL)
     if signal is not None and not isinstance(signal.value, str):
         yield finding("SCN402", "`signal` is the name of a signal, in quotes", signal)
@@ -135,7 +171,25 @@ def requirements_for(
 def _in_units(
     text: RequirementText, variant: str, units: Mapping[str, str], faults: list[Diagnostic]
 ) -> Requirement | None:
-    signal = str(text.signal.value)
+    if text.statement is None:
+        return _of_metric(text, variant, units, faults)
+    formula = in_units(text.statement, units, faults)
+    if formula is None:
+        return None
+    return Requirement(
+        id=text.id,
+        text=text.text,
+        formula=formula,
+        unit=formula.unit or "",
+        expect_fail=variant in text.expect,
+        span=text.span,
+    )
+
+
+def _of_metric(
+    text: RequirementText, variant: str, units: Mapping[str, str], faults: list[Diagnostic]
+) -> Requirement | None:
+    signal = str(text.signal.value) if text.signal else ""
     if signal not in units:
         near = nearest(signal, units) or nearest(signal.rpartition(".")[2], units)
         hint = f"did you mean `{near}`?" if near else f"there are {listed(sorted(units))}"
@@ -144,13 +198,16 @@ def _in_units(
     metric, before = METRICS[text.metric], len(faults)
     unit = parse_unit(units[signal])
     arguments = {
-        name: _argument(metric, name, entry, unit, faults) or 0.0 for name, entry in text.arguments.items()
+        name: _argument(metric, name, entry, unit, faults) or 0.0
+        for name, entry in text.arguments.items()
+        if name != RESTART_AT.name
     }
     own = metric.unit.unit(unit)
     what = f"a {metric.words} of `{signal}`"
     minimum = converted(text.minimum, own, what, faults)
     maximum = converted(text.maximum, own, what, faults)
     faults += _crossed(text, minimum, maximum, arguments)
+    restarts = _restarts(text, arguments, faults)
     if len(faults) > before:
         return None
     return Requirement(
@@ -159,12 +216,34 @@ def _in_units(
         metric=text.metric,
         signal=signal,
         arguments=arguments,
+        restart_at=restarts,
         minimum=minimum,
         maximum=maximum,
         unit=own.symbol,
         expect_fail=variant in text.expect,
         span=text.span,
     )
+
+
+def _restarts(
+    text: RequirementText, arguments: Mapping[str, float], faults: list[Diagnostic]
+) -> tuple[float, ...]:
+    """Return the times at which a metric is taken anew, in seconds."""
+    entry = text.arguments.get(RESTART_AT.name)
+    if entry is None:
+        return ()
+    if not entry.items:
+        hint = 'write it as in restart_at = ["20 s", "40 s"]'
+        faults.append(finding("SCN402", "`restart_at` is a list of times", entry, hint))
+        return ()
+    second, what = parse_unit("s"), f"a time of `{RESTART_AT.name}`"
+    times = [converted(each, second, what, faults) for each in entry.items]
+    found = tuple(each for each in times if each is not None)
+    inside = (arguments.get("from", 0.0), *found, arguments.get("to", math.inf))
+    if len(found) == len(times) and any(later <= before for before, later in pairwise(inside)):
+        hint = "each time comes after the one before it, the first after `from`, the last before `to`"
+        faults.append(finding("SCN406", f"the restarts of {text.id} do not part its window", entry, hint))
+    return found
 
 
 def _argument(

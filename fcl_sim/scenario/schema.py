@@ -105,11 +105,12 @@ class ControllerTable(Table):
 
 
 class RequirementTable(Table):
-    """A bound on a metric of a signal."""
+    """A bound on a metric of a signal, or a formula that holds."""
 
     id: Filled = Field(description="what the requirement is called in tables")
     text: Filled = Field(description="the requirement in words, with the reason of an expected miss")
-    metric: dict[str, dict[str, Any]] = Field(description="one metric with its arguments")
+    metric: dict[str, dict[str, Any]] | None = Field(None, description="one metric with its arguments")
+    formula: Filled = Field(None, description="temporal formula or sentence, instead of a metric")
     min: Quantified = Field(None, description="smallest allowed value")
     max: Quantified = Field(None, description="largest allowed value")
     expect: Expectation = Field(None, description='"fail", or { VARIANT = "fail" }: the miss is expected')

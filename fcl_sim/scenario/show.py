@@ -90,17 +90,24 @@ def _inline(value: Any) -> str:
 
 
 def _requirement(requirement: RequirementText) -> Iterator[str]:
-    arguments = "".join(f", {name} = {entry.value}" for name, entry in requirement.arguments.items())
+    asked = _measured(requirement) if requirement.statement is None else requirement.statement.formula
+    yield f"  {requirement.id}: {asked}"
+    if requirement.expect:
+        yield f"    expected to fail: {', '.join(sorted(requirement.expect))}"
+    yield from wrap(requirement.text, WIDTH, initial_indent="    ", subsequent_indent="    ")
+
+
+def _measured(requirement: RequirementText) -> str:
+    arguments = "".join(
+        f", {name} = {_inline(entry.plain())}" for name, entry in requirement.arguments.items()
+    )
     bounds = [
         f"{word} {entry.value}"
         for word, entry in (("at least", requirement.minimum), ("at most", requirement.maximum))
         if entry is not None
     ]
-    metric = f"{requirement.metric}({requirement.signal.value}{arguments})"
-    yield f"  {requirement.id}: {metric} {', '.join(bounds)}"
-    if requirement.expect:
-        yield f"    expected to fail: {', '.join(sorted(requirement.expect))}"
-    yield from wrap(requirement.text, WIDTH, initial_indent="    ", subsequent_indent="    ")
+    signal = requirement.signal.value if requirement.signal else ""
+    return f"{requirement.metric}({signal}{arguments}) {', '.join(bounds)}"
 
 
 def _time(ticks: int) -> str:

@@ -1,0 +1,67 @@
+"""Trace and formula → finding, with the sentence that tells it."""
+
+from fcl_sim.judge import wording
+from fcl_sim.judge.finding import Finding
+from fcl_sim.judge.temporal.formula import Formula
+from fcl_sim.judge.temporal.verdict import Judgement, Truth
+from fcl_sim.judge.temporal.verdict import consider as judged
+from fcl_sim.judge.temporal.write import written
+from fcl_sim.judge.verdict import Status
+from fcl_sim.loop.trace import Trace
+
+
+def consider(trace: Trace, formula: Formula) -> Finding:
+    """Return what a trace came to; its value is the robustness, where that has one unit."""
+    if not trace.ticks.size:
+        return Finding(status=Status.INCONCLUSIVE, reason="the trace has no scan")
+    found = judged(formula, trace)
+    match found.truth:
+        case Truth.BROKEN:
+            at = _at(trace, found.scan)
+            reason = f"a number in `{found.about}` is not finite at {at}"
+            return Finding(status=Status.FAULT, reason=reason)
+        case Truth.OPEN:
+            reason = f"the trace ends at {_at(trace, -1)}, before it is decided whether the formula holds"
+            return Finding(status=Status.INCONCLUSIVE, reason=reason)
+        case Truth.UNTESTED:
+            reason = (
+                f"`{found.about}` is never true where the formula looks at it, so nothing is put to the test"
+            )
+            return Finding(status=Status.UNTESTED, reason=reason)
+    value = None if formula.unit is None else found.robustness
+    if found.truth is Truth.HOLDS:
+        return Finding(status=Status.PASS, reason=f"the formula holds{_margin(trace, found)}", value=value)
+    return Finding(
+        status=Status.FAIL,
+        reason=f"the formula does not hold{_margin(trace, found)}{_first(trace, found)}",
+        value=value,
+        violation=_violation(trace, found),
+    )
+
+
+def _margin(trace: Trace, found: Judgement) -> str:
+    if found.robustness is None or found.decided_by is None:
+        return ""
+    comparison, scan = found.decided_by
+    margin = wording.number(found.robustness, comparison.unit, 0.0)
+    return f", by a margin of {margin}, that of `{written(comparison)}` at {_at(trace, scan)}"
+
+
+def _first(trace: Trace, found: Judgement) -> str:
+    if found.violation is None:
+        return ""
+    first, last = found.violation
+    if first == last:
+        return f", first violated at {_at(trace, first)}"
+    return f", first violated from {_at(trace, first)} to {_at(trace, last)}"
+
+
+def _violation(trace: Trace, found: Judgement) -> tuple[float, float] | None:
+    if found.violation is None:
+        return None
+    first, last = found.violation
+    return int(trace.ticks[first]) / 1e9, int(trace.ticks[last]) / 1e9
+
+
+def _at(trace: Trace, scan: int) -> str:
+    return wording.seconds(int(trace.ticks[scan]) / 1e9)
