@@ -249,9 +249,9 @@ class Parser:
             near = nearest(token.text, known)
             hint = f"did you mean `{near}`?" if near else f"there are {listed(known)}"
             raise fault("JDG206", f"there is no function called `{token.text}`", token.span, hint)
-        operands = [number(self._deeper(self.sum), f"`{token.text}`")]
+        operands = [number(self._deeper(self.expression), f"`{token.text}`")]
         while self.taken(","):
-            operands.append(number(self._deeper(self.sum), f"`{token.text}`"))
+            operands.append(number(self._deeper(self.expression), f"`{token.text}`"))
         closing = self.need(")", "", opening)
         span = token.span.to(closing.span)
         self._count(token, len(operands), span)
