@@ -86,6 +86,8 @@ def _block(block: Entry) -> str:
 def _inline(value: Any) -> str:
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{key} = {_inline(each)}" for key, each in value.items()) + "}"
+    if isinstance(value, list):
+        return f"[{', '.join(_inline(each) for each in value)}]"
     return str(value)
 
 

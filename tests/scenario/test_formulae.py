@@ -1,0 +1,129 @@
+"""Formulae in a scenario: read, shown, put into the units of the run, and faulted where they stand."""
+
+import pytest
+
+from fcl_sim.scenario.show import show_scenario
+from fcl_sim.testbench import prepare
+
+PEAK = """\
+metric = { peak = { signal = "crane.sway" } }
+max    = "9 deg"
+"""
+
+
+def with_formula(bench, text):
+    bench.edit("transfer.toml", (PEAK, text))
+
+
+def fault(bench, text):
+    with_formula(bench, text)
+    return bench.fault()
+
+
+def test_a_formula_is_a_requirement_in_the_units_of_the_run(bench):
+    with_formula(bench, 'formula = "always abs(crane.sway) < 0.15 rad"\n')
+    for each in prepare(bench.read()):
+        requirement = each.requirements[3]
+        assert (requirement.id, requirement.metric, requirement.unit) == ("CR-4", "", "deg")
+        assert requirement.signals == ("crane.sway",)
+        assert str(requirement.formula) == "always (abs(crane.sway) < 0.15 rad)"
+        assert requirement.expect_fail == (each.variant == "raw_distance")
+
+
+def test_a_sentence_is_shown_as_the_formula_that_it_stands_for(bench):
+    with_formula(bench, 'formula = "never abs(crane.sway) > 9 deg"\n')
+    assert "  CR-4: always (not (abs(crane.sway) > 9 deg))\n" in show_scenario(bench.read())
+
+
+FAULTS = {
+    "a signal that does not exist": (
+        'formula = "always abs(crane.swey) < 9 deg"\n',
+        """\
+scenarios/crane/transfer.toml:69:23: error[JDG202]: there is no signal called `crane.swey`
+  69 | formula = "always abs(crane.swey) < 9 deg"
+     |                       ^^^^^^^^^^
+  hint: did you mean `crane.sway`?""",
+    ),
+    "a unit that does not fit, behind a line that is folded and an escape": (
+        'formula = """\nwhenever crane.distance < 2 m, \\\n   then crane.sway < 3 \\u006D"""\n',
+        """\
+scenarios/crane/transfer.toml:71:22: error[JDG203]: `crane.sway` is in deg, and `3 m` is in m
+  71 |    then crane.sway < 3 \\u006D\"\"\"
+     |                      ^^^
+  hint: write it in deg, or in a unit that converts to it""",
+    ),
+    "a time without a unit": (
+        "formula = 'always[0, 5 s] crane.sway < 3 deg'\n",
+        """\
+scenarios/crane/transfer.toml:69:19: error[JDG205]: 0 is not a time
+  69 | formula = 'always[0, 5 s] crane.sway < 3 deg'
+     |                   ^
+  hint: write `0 s`""",
+    ),
+    "a metric beside a formula": (
+        'formula = "crane.sway < 9 deg"\n' + PEAK,
+        """\
+scenarios/crane/transfer.toml:70:1: error[SCN408]: a requirement with a `formula` has no `metric`
+  70 | metric = { peak = { signal = "crane.sway" } }
+     | ^^^^^^
+  hint: a second requirement can have it
+scenarios/crane/transfer.toml:71:1: error[SCN408]: a requirement with a `formula` has no `max`
+  71 | max    = "9 deg"
+     | ^^^
+  hint: compare in the formula""",
+    ),
+    "neither": (
+        "",
+        """\
+scenarios/crane/transfer.toml:66:3: error[SCN408]: the requirement has neither `metric` nor `formula`
+  66 | [[require]]
+     |   ^^^^^^^
+  hint: write metric = { NAME = { signal = ... } } with min or max, or formula = "...\"""",
+    ),
+    "no limit for a metric that needs one of two": (
+        'metric = { saturation_time = { signal = "crane.sway" } }\nmax = "9 s"\n',
+        """\
+scenarios/crane/transfer.toml:69:12: error[SCN402]: `saturation_time` needs `low` or `high`, or both
+  69 | metric = { saturation_time = { signal = "crane.sway" } }
+     |            ^^^^^^^^^^^^^^^""",
+    ),
+    "restarts that are no list": (
+        'metric = { peak = { signal = "crane.sway", restart_at = "5 s" } }\nmax = "9 deg"\n',
+        """\
+scenarios/crane/transfer.toml:69:57: error[SCN402]: `restart_at` is a list of times
+  69 | metric = { peak = { signal = "crane.sway", restart_at = "5 s" } }
+     |                                                         ^^^^^
+  hint: write it as in restart_at = ["20 s", "40 s"]""",
+    ),
+    "restarts in disorder": (
+        'metric = { peak = { signal = "crane.sway", restart_at = ["5 s", "2 s"] } }\nmax = "9 deg"\n',
+        """\
+scenarios/crane/transfer.toml:69:57: error[SCN406]: the restarts of CR-4 do not part its window
+  69 | metric = { peak = { signal = "crane.sway", restart_at = ["5 s", "2 s"] } }
+     |                                                         ^^^^^^^^^^^^^^
+  hint: each time comes after the one before it, the first after `from`, the last before `to`""",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_a_slip_is_shown_where_it_stands_in_the_scenario(bench, name):
+    text, expected = FAULTS[name]
+    assert fault(bench, text) == expected
+
+
+def test_restarts_reach_the_requirement_in_seconds(bench):
+    with_formula(
+        bench,
+        'metric = { iae = { signal = "crane.sway", final = "0 deg", from = "1 s", '
+        'restart_at = ["20 s", "0.5 min"] } }\nmax = "90 deg s"\n',
+    )
+    requirement = prepare(bench.read())[0].requirements[3]
+    assert requirement.restart_at == (20.0, 30.0)
+    assert requirement.arguments == {"final": 0.0, "from": 1.0}
+    assert "restart_at = [20 s, 0.5 min]" in show_scenario(bench.read())
+
+
+def test_several_faults_of_a_formula_are_told_at_once(bench):
+    told = fault(bench, 'formula = "always crane.swey < 1 deg and crane.sway < 1 m"\n')
+    assert [told.count(code) for code in ("JDG202", "JDG203")] == [1, 1]
