@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import asdict
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -27,8 +28,20 @@ REMARKS = {
 @click.option("--block", metavar="NAME", help="Which function block, where the file has several.")
 @click.option("--explain", is_flag=True, help="Show every step of the inference.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
+@click.option(
+    "--figure",
+    type=click.Path(path_type=Path),
+    metavar="OUT",
+    help="Draw every step of the inference into OUT.png, OUT.svg or OUT.pdf.",
+)
 def command(
-    *, file: Path, assignments: tuple[str, ...], block: str | None, explain: bool, as_json: bool
+    *,
+    file: Path,
+    assignments: tuple[str, ...],
+    block: str | None,
+    explain: bool,
+    as_json: bool,
+    figure: Path | None,
 ) -> None:
     """Evaluate a rule base once.
 
@@ -42,6 +55,10 @@ def command(
     except (TypeError, ValueError) as error:  # unknown, missing or not finite, as it says
         raise click.UsageError(str(error)) from None
     explanation = loaded.explain(**values)
+    if figure is not None:
+        # Loads matplotlib and typst, which an evaluation does without.
+        import_module("fcl_sim.cli.figure").write(loaded.function_block, explanation, file, figure)
+        click.echo(f"written: {figure}", err=True)
     if as_json:
         click.echo(json.dumps(_document(explanation, values, whole=explain), indent=2, ensure_ascii=False))
     elif explain:

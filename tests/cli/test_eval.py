@@ -1,5 +1,7 @@
 import json
 import math
+import subprocess
+import sys
 
 import pytest
 
@@ -118,3 +120,57 @@ def test_numbers_are_printed_with_the_digits_that_tell_them_apart(invoke, three)
     degrees = json.loads(invoke("eval", three, "distance=12.3", "angle=4.1", "--json").stdout)
     assert value == degrees["outputs"]["power"]
     assert not math.isnan(value)
+
+
+@pytest.mark.parametrize(
+    ("ending", "beginning"), [("png", b"\x89PNG\r\n"), ("svg", b"<svg"), ("pdf", b"%PDF-")]
+)
+def test_the_steps_are_drawn_into_one_file_the_same_again(invoke, three, ending, beginning):
+    target = three.with_name(f"steps.{ending}")
+    result = invoke("eval", three, "distance=12", "angle=4", "--figure", target)
+    assert (result.exit_code, result.stdout, result.stderr) == (0, "power = 7.2\n", f"written: {target}\n")
+    first = target.read_bytes()
+    assert first.startswith(beginning)
+    assert invoke("eval", three, "distance=12", "angle=4", "--figure", target).exit_code == 0
+    assert target.read_bytes() == first
+    assert sorted(file.name for file in three.parent.iterdir()) == [target.name, three.name]
+
+
+def test_a_figure_leaves_the_json_document_alone(invoke, three):
+    target = three.with_name("steps.svg")
+    result = invoke("eval", three, "distance=12", "angle=4", "--json", "--figure", target)
+    assert json.loads(result.stdout)["outputs"] == {"power": 7.2}
+    assert result.stderr == f"written: {target}\n"
+    assert target.is_file()
+
+
+@pytest.mark.parametrize(
+    ("name", "message", "hint"),
+    [
+        (
+            "steps.gif",
+            "error[RUN106]: a picture is not written as `.gif`",
+            "end the name in .png, .svg or .pdf",
+        ),
+        (
+            "nowhere/steps.png",
+            "error[RUN101]: there is no folder `{folder}/nowhere`",
+            "make the folder, or name another one",
+        ),
+    ],
+)
+def test_a_figure_that_cannot_be_written_is_said_before_anything_else(invoke, three, name, message, hint):
+    result = invoke("eval", three, "distance=12", "angle=4", "--figure", three.parent / name)
+    assert (result.exit_code, result.stdout) == (3, "")
+    told = message.format(folder=three.parent)
+    assert result.stderr == f"{three.parent / name}: {told}\n  hint: {hint}\n"
+    assert [file.name for file in three.parent.iterdir()] == [three.name]
+
+
+def test_an_evaluation_without_a_figure_loads_nothing_that_draws(three):
+    code = (
+        "import sys; from fcl_sim.cli.program import program; "
+        f"program(['eval', {str(three)!r}, 'distance=12', 'angle=4'], standalone_mode=False); "
+        "assert not {'matplotlib', 'typst'} & set(sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=False).returncode == 0
