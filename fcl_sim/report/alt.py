@@ -49,7 +49,11 @@ def of_runs(runs: Sequence[Shown], shown: Sequence[Lane]) -> str:
         plotted = [lane for lane in shown if lane.focus is None and lane.signal in run.trace]
         parts += [f"{prefix}{_course(lane, run.trace[lane.signal])}" for lane in plotted]
         names = {name for lane in shown for name in lane.names}
-        parts += [f"{prefix}{_verdict(each)}" for each in run.verdicts if each.requirement.signal in names]
+        parts += [
+            f"{prefix}{_verdict(each)}"
+            for each in run.verdicts
+            if not names.isdisjoint(each.requirement.signals)
+        ]
         if run.trace.fault is not None:
             fault = run.trace.fault
             parts.append(f"{prefix}FAULT at {with_unit(fault.tick / 1e9, 's', 9)}: {one_line(fault.reason)}.")

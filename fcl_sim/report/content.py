@@ -205,7 +205,7 @@ def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
     return {
         "id": one_line(first.requirement.id),
         "text": one_line(first.requirement.text),
-        "signal": one_line(first.requirement.signal),
+        "signal": joined([one_line(each) for each in first.requirement.signals]),
         "metric": _metric_name(first.requirement),
         "bound": bound(first.requirement),
         "definition": one_line(first.definition),
@@ -215,6 +215,8 @@ def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
 
 
 def _metric_name(requirement: Requirement) -> str:
+    if requirement.formula is not None:
+        return "robustness"
     return one_line(requirement.metric.replace("_", " "))
 
 

@@ -78,7 +78,7 @@ def lanes(run: Shown) -> list[Lane]:
     close to them.
     """
     trace = run.trace
-    judged = {verdict.requirement.signal for verdict in run.verdicts}
+    judged = {name for verdict in run.verdicts for name in verdict.requirement.signals}
     found: dict[tuple[str, bytes], list[str]] = {}
     for column, name in enumerate(trace.names):
         key = (trace.units[name], np.ascontiguousarray(trace.values[:, column]).tobytes())
@@ -180,7 +180,9 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
         mark, size = ("o", 3.2) if run.trace.fault is None else ("X", 5.0)
         axes.plot(time[-1:], values[-1:], mark, color=colour, markersize=size, clip_on=False, zorder=6)
     violations = [
-        each.violation for each in run.verdicts if each.requirement.signal in lane.names and each.violation
+        each.violation
+        for each in run.verdicts
+        if each.violation and not set(lane.names).isdisjoint(each.requirement.signals)
     ]
     draw_violations(axes, violations, None if alone else (index, colour))
     if alone and run.trace.fault is not None:

@@ -9,6 +9,8 @@ import numpy as np
 
 from fcl_sim.block import Block, loads
 from fcl_sim.diagnostics import Source
+from fcl_sim.judge.temporal.formula import bind, read
+from fcl_sim.judge.temporal.text import plain
 from fcl_sim.judge.verdict import Band, Requirement, Status, Verdict, worst
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, PlantNode, Timing
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Trace
@@ -172,6 +174,23 @@ def verdict(measured: Status = Status.PASS, value: float | None = 25.4, **given)
         reason="crane.distance does not settle." if missed else "The settling time is 25.4 s.",
         band=Band(signal=asked.signal, low=-0.5, high=0.5, start=35.0, end=60.0),
         violation=(35.0, 60.0) if missed else None,
+    )
+
+
+def of_formula(text: str, measured: Status = Status.PASS, value: float | None = 0.5) -> Verdict:
+    """Return a verdict on a formula, violated from 20 s to 25 s where it is missed."""
+    formula = bind(read(plain(text)), {"crane.distance": "m", "crane.sway": "deg"})
+    asked = requirement(
+        id="CR-6", metric="", signal="", arguments={}, maximum=None, unit="deg", formula=formula
+    )
+    return Verdict(
+        requirement=asked,
+        status=measured,
+        measured=measured,
+        value=value,
+        definition=str(formula),
+        reason="The formula holds." if measured is Status.PASS else "The formula does not hold.",
+        violation=(20.0, 25.0) if measured is Status.FAIL else None,
     )
 
 

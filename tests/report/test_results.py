@@ -7,7 +7,7 @@ from fcl_sim.judge.verdict import Status
 from fcl_sim.report import document
 from fcl_sim.report.results import text
 from fcl_sim.report.summary import overall, rows, sentence
-from tests.report.synthetic import outcome, run, verdict
+from tests.report.synthetic import of_formula, outcome, run, verdict
 
 
 def test_the_document_says_its_schema_and_what_made_it(tmp_path):
@@ -25,6 +25,15 @@ def test_every_verdict_is_there_with_its_value_and_bound(tmp_path):
     missed = raw["requirements"][0]
     assert (missed["verdict"], missed["measured"], missed["expect_fail"]) == ("PASS", "FAIL", True)
     assert missed["violation_s"] == [35.0, 60.0]
+
+
+def test_a_formula_is_there_with_its_signals_and_its_robustness(tmp_path):
+    judged = of_formula("never crane.sway > 3 deg")
+    made = json.loads(text([outcome(tmp_path, run(tmp_path, verdicts=(judged,)))]))
+    (asked,) = made["scenarios"][0]["variants"][0]["requirements"]
+    assert asked["formula"] == "never crane.sway > 3 deg; that is: always (not (crane.sway > 3 deg))"
+    assert (asked["metric"], asked["signal"], asked["signals"]) == (None, None, ["crane.sway"])
+    assert (asked["value"], asked["unit"]) == (0.5, "deg")
 
 
 def test_files_stand_with_their_hashes(tmp_path):

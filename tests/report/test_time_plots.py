@@ -12,7 +12,7 @@ from fcl_sim.judge.verdict import Band, Status
 from fcl_sim.report.bands import apart, focus_on
 from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
-from tests.report.synthetic import EVIL, LONG, trace, verdict, verdicts
+from tests.report.synthetic import EVIL, LONG, of_formula, trace, verdict, verdicts
 
 
 def shown(kind: str = "settles", label: str = "base", **given) -> Shown:
@@ -124,6 +124,15 @@ def test_of_several_runs_each_marks_its_violation_in_its_colour():
     drawn = figure(shown("settles"), shown("swings", "raw"))
     assert set(patches(drawn, COLOURS[1])) == {(35.0, 60.0)}
     assert patches(drawn, COLOURS[0]) == []
+
+
+def test_a_violated_formula_is_shaded_in_all_of_its_signals():
+    from fcl_sim.report.style import VIOLATION
+
+    missed = of_formula("always (crane.sway < 1 deg or crane.distance > 1 m)", Status.FAIL, -0.5)
+    run = shown(verdicts=(missed,))
+    assert [lane.signal for lane in lanes(run) if lane.judged] == ["crane.distance", "crane.sway"]
+    assert patches(figure(run), VIOLATION).count((20.0, 25.0)) == 2
 
 
 def test_scans_without_an_active_rule_are_hatched_on_the_output_alone():

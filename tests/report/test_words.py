@@ -18,7 +18,7 @@ from fcl_sim.report.words import (
     value,
     with_unit,
 )
-from tests.report.synthetic import requirement, verdict
+from tests.report.synthetic import of_formula, requirement, verdict
 
 FINITE = st.floats(-1e300, 1e300)
 
@@ -115,3 +115,9 @@ def test_counts_and_lists_read_as_a_sentence():
     assert counted(1, "run") == "1 run"
     assert counted(0, "miss", "misses") == "0 misses"
     assert joined(["a", "b", "c"]) == "a, b and c"
+
+
+def test_of_a_formula_is_asked_that_it_holds_and_its_robustness_is_measured():
+    found = of_formula("always crane.sway < 3 deg")
+    assert bound(found.requirement) == "the formula holds"
+    assert value(found) == "0.5\N{NO-BREAK SPACE}deg"
