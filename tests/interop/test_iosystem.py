@@ -128,8 +128,17 @@ def test_dt_must_be_a_time_between_scans(dt):
         interop.to_iosystem(crane(), dt)
 
 
+def test_a_system_computes_in_the_arithmetic_of_the_plc():
+    block = crane()
+    instance = block.instance("REAL")
+    instance(distance=11.1, angle=0.3)
+    found = interop.to_iosystem(block, 0.05, arithmetic="REAL")([11.1, 0.3])
+    assert found.tolist() == [instance.power]
+    assert found != interop.to_iosystem(block, 0.05)([11.1, 0.3])
+
+
 def test_an_unknown_arithmetic_is_refused():
-    with pytest.raises(ValueError, match="arithmetic 'TERNARY'"):
+    with pytest.raises(ValueError, match="no arithmetic TERNARY"):
         interop.to_iosystem(crane(), 0.05, arithmetic="TERNARY")
 
 
