@@ -71,6 +71,9 @@ def _unfit_parameters(node: Node) -> Iterator[Diagnostic]:
         if given is None and parameter.default is None and name not in node.inputs:
             message = f"`{node.name}` needs its parameter `{name}`: {parameter.meaning}"
             yield fault("WIR103", message, node.span)
+        elif parameter.kind in {"list", "table", "units"} and not given and parameter.default is None:
+            message = f"`{name}` of `{node.name}` is empty"
+            yield fault("WIR202", message, _place(node, name), f"it is {parameter.meaning}")
         if given is not None and parameter.choices and given not in parameter.choices:
             hint = f"it is {listed(parameter.choices)}"
             message = f"`{name}` of `{node.name}` cannot be `{given}`"

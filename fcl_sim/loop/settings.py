@@ -9,7 +9,7 @@ from fcl_sim.loop.blocks import BLOCKS
 from fcl_sim.loop.blocks.declaration import BlockOutput, BlockParameter, BlockType, UnitRule
 from fcl_sim.loop.blocks.setting import Setting
 from fcl_sim.loop.diagram import FuzzyNode, Node, Timing, Wire
-from fcl_sim.units import Quantity, Unit, UnitError, parse_quantity, parse_unit
+from fcl_sim.units import ONE, Quantity, Unit, UnitError, parse_quantity, parse_unit
 
 AnyNode = Node | FuzzyNode
 
@@ -137,10 +137,12 @@ def _value(
             return float(given)
         return _number(given, resolved(parameter.unit, inputs, parameters))
     if parameter.kind == "list":
-        unit = resolved(parameter.unit, inputs, parameters) or given[0].unit
+        unit = resolved(parameter.unit, inputs, parameters) or (given[0].unit if given else ONE)
         return np.array([_number(each, unit) for each in given])
     if parameter.kind == "table":
         rules = parameter.columns
+        if not given:
+            return np.empty((0, len(rules)))
         first = given[0]
         units = [resolved(each, inputs, parameters) or first[i].unit for i, each in enumerate(rules)]
         return np.array(

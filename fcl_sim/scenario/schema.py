@@ -149,7 +149,7 @@ class ScenarioFile(Table):
 @cache
 def block_models() -> Mapping[str, type[Table]]:
     """Return the shape of each kind of block, by type, made from the loop's own table."""
-    models = {name: _block_model(block) for name, block in BLOCKS.items() if name != FUZZY}
+    models = {name: block_model(block) for name, block in BLOCKS.items() if name != FUZZY}
     return MappingProxyType({**models, FUZZY: FuzzyTable})
 
 
@@ -173,7 +173,8 @@ PARAMETERS: Mapping[str, Any] = {
 """How a parameter is written, by its kind; a choice is made from its words."""
 
 
-def _block_model(block: BlockType) -> type[Table]:
+def block_model(block: BlockType) -> type[Table]:
+    """Return the shape of a kind of block, made from its declaration."""
     fields: dict[str, Any] = {"type": (Literal[block.name], ...)}
     for port in block.inputs:
         default = ... if port.default is None else None

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from fcl_sim.diagnostics import InputFault
+from fcl_sim.loop.blocks.setting import Text
 from fcl_sim.loop.diagram import Node, Wire
 from fcl_sim.loop.wiring import wire
 from fcl_sim.units import parse_quantity
@@ -163,6 +164,10 @@ def test_units_that_follow_from_each_other_ask_for_one_of_them(diagram):
         (
             node("x", "dead_band", {"input": "crane.speed"}, width="-1 m/s"),
             "`width` of `x` is -1 m/s\n  hint: it must be at least 0: half the width of the band",
+        ),
+        (
+            Node(name="x", type="python", parameters={"file": Text("x.py", ""), "outputs": {}}),
+            "`outputs` of `x` is empty\n  hint: it is names of what it returns, each with its unit",
         ),
         (node("x", "product", {"1": "crane.speed"}), "error[WIR103]: `x` has fewer than 2 inputs"),
         (node("x", "dead_band", {"input": "crane.speed"}), "`x` needs its parameter `width`"),

@@ -2,9 +2,15 @@
 
 import pytest
 
+from fcl_sim.diagnostics import Source
+from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
 from fcl_sim.loop.diagram import Wire
-from fcl_sim.scenario.binder import bind
+from fcl_sim.scenario import blocks
+from fcl_sim.scenario.binder import bind, wire_of
 from fcl_sim.scenario.reader import read
+from fcl_sim.scenario.schema import block_model
+from fcl_sim.scenario.shape import shape_faults
+from fcl_sim.toml import parse
 from fcl_sim.units import parse_quantity
 
 HEAD = """\
@@ -131,3 +137,60 @@ def test_a_choice_is_one_of_its_words(written):
     told = written(HEAD + block)
     assert "`method` cannot be `forwards`" in told
     assert "did you mean `forward`?" in told
+
+
+TRIAL = BlockType(
+    name="trial",
+    summary="lists, tables, counts",
+    equation="none",
+    source="none",
+    kernel=None,
+    parameters=(
+        BlockParameter(name="scans", kind="count", default=3, meaning="scans"),
+        BlockParameter(name="levels", kind="list", unit="m", default=(), meaning="levels"),
+        BlockParameter(name="curve", kind="table", columns=("s", None), meaning="a curve"),
+        BlockParameter(name="kp", unit="", default=1.0, port=True, meaning="a gain"),
+    ),
+)
+
+
+@pytest.fixture
+def trial(monkeypatch):
+    monkeypatch.setattr(blocks, "BLOCKS", {"trial": TRIAL})
+
+    def read_block(text):
+        entry = parse(Source("own.toml", f'type = "trial"\n{text}\n'), not_toml="SCN102", twice="SCN103")
+        faults = shape_faults(block_model(TRIAL), entry, "`trial`")
+        node = None if faults else blocks.plain_node("trial", entry, {}, wire_of, faults)
+        return node, [f"{each.code} {each.message}" for each in faults]
+
+    return read_block
+
+
+def test_lists_tables_counts_and_parameters_that_are_signals_are_read(trial):
+    node, faults = trial(
+        'scans = 4\nlevels = ["1 m", "2 cm"]\ncurve = [["0 s", 1], ["1 min", "2"]]\nkp = "-x.kp"'
+    )
+    assert faults == []
+    assert node.inputs == {"kp": Wire("x.kp", -1.0)}
+    assert node.parameters["scans"] == 4
+    assert node.parameters["levels"] == (parse_quantity("1 m"), parse_quantity("2 cm"))
+    assert node.parameters["curve"][1] == (parse_quantity("1 min"), parse_quantity(2.0))
+    assert trial('curve = []\nkp = "2.5"')[0].parameters["kp"] == parse_quantity(2.5)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("scans = 1.5\ncurve = []", "SCN203 `scans` is a whole number, not a number"),
+        ('levels = "1 m"\ncurve = []', "SCN203 `levels` is a list, not a text"),
+        ('levels = ["1 s"]\ncurve = []', "SCN404 `levels` is in m, and this is in s"),
+        ("levels = [true]\ncurve = []", "SCN203 an entry of `levels` is a quantity, not true or false"),
+        ('curve = [["0 s"]]', "SCN203 a row of `curve` has 2 numbers, not 1"),
+        ("curve = [3]", "SCN203 an entry of `curve` is a list, not a number"),
+        ('curve = [["0 m", 1]]', "SCN404 `curve` is in s, and this is in m"),
+        ('curve = []\nkp = "2 furlong"', "SCN204 `kp`: there is no unit `furlong`"),
+    ],
+)
+def test_lists_tables_and_counts_that_do_not_fit_are_told(trial, text, told):
+    assert trial(text)[1] == [told]

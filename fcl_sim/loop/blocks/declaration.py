@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fcl_sim.loop.blocks.setting import Setting
-from fcl_sim.units import Quantity, Unit, parse_unit
+from fcl_sim.units import ONE, Quantity, Unit, parse_unit
 
 UnitRule = Callable[[Mapping[str, Unit], Mapping[str, Quantity]], Unit]
 """From the units of the inputs, by port, and the parameters as given, to a unit; UnitError if they clash."""
@@ -13,14 +13,18 @@ UnitRule = Callable[[Mapping[str, Unit], Mapping[str, Quantity]], Unit]
 
 @dataclass(frozen=True, slots=True)
 class Like:
-    """A unit rule: the unit of the input or parameter called `name`, times a fixed one."""
+    """A unit rule: the unit of the input or parameter called `name`, times a fixed one.
+
+    A parameter that is left at a plain number has none.
+    """
 
     name: str
     times: str = ""
 
     def __call__(self, inputs: Mapping[str, Unit], parameters: Mapping[str, Quantity]) -> Unit:
-        """Return the unit; KeyError where neither an input nor a parameter has the name."""
-        unit = inputs[self.name] if self.name in inputs else parameters[self.name].unit
+        """Return the unit."""
+        given = parameters.get(self.name)
+        unit = inputs.get(self.name, given.unit if given else ONE)
         return unit * parse_unit(self.times)
 
     def __str__(self) -> str:
