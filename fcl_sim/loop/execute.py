@@ -9,7 +9,7 @@ compilation.
 from collections.abc import Callable
 
 from fcl_sim.jit import Entry, F, I, entry, f8, function_type, i8, inlined, signature, u, void
-from fcl_sim.loop.blocks import calculation, delays, nonlinear, sources
+from fcl_sim.loop.blocks import calculation, controllers, delays, dynamics, nonlinear, sources
 from fcl_sim.loop.blocks.differentiator import differentiate
 from fcl_sim.loop.blocks.fuzzy import evaluate
 from fcl_sim.loop.blocks.integrator import integrate
@@ -93,6 +93,10 @@ def execute_further(
         delays.execute(code, row)
     elif family == 4:
         sources.execute(code, row)
+    elif family == 5:
+        dynamics.execute(code, row)
+    elif family == 6:
+        controllers.execute(code, row)
 
 
 @entry(signature(*_FURTHER))

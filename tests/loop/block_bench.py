@@ -34,6 +34,7 @@ PLANT = Plant(
         Output("ratio", "1", "a sine of its own, never 0"),
         Output("flag", "1", "1 for a tenth of a second in each"),
         Output("other_flag", "1", "1 in the middle third of each second"),
+        Output("moment", "s", "a sine of its own, never 0"),
     ),
     parameters=(),
 )
@@ -50,6 +51,7 @@ def outputs(t, x, u, p, mode, y):
     y[3] = 1.5 + sin(3.0 * t + 1.0)
     y[4] = 1.0 if t % 1.0 >= 0.9 else 0.0
     y[5] = 1.0 if 0.33 <= t % 1.0 < 0.66 else 0.0
+    y[6] = 0.4 + 0.3 * sin(2.0 * t)
 """
 
 Samples = Mapping[str, Sequence[float]]

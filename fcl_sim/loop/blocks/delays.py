@@ -1,6 +1,7 @@
-"""`unit_delay`."""
+"""`unit_delay`, and the family of blocks that look back."""
 
 from fcl_sim.jit import flat, inlined
+from fcl_sim.loop.blocks.dead_time import DEAD_TIME, dead_time
 from fcl_sim.loop.blocks.declaration import (
     BlockInput,
     BlockOutput,
@@ -10,6 +11,7 @@ from fcl_sim.loop.blocks.declaration import (
     Prepared,
 )
 from fcl_sim.loop.blocks.setting import Setting
+from fcl_sim.loop.blocks.windows import MOVING_AVERAGE, SAMPLE_HOLD, moving_average, sample_hold
 from fcl_sim.loop.row import Row, read, write
 
 
@@ -38,7 +40,7 @@ UNIT_DELAY = BlockType(
     late=("input",),
 )
 
-TABLE = (UNIT_DELAY,)
+TABLE = (UNIT_DELAY, DEAD_TIME, MOVING_AVERAGE, SAMPLE_HOLD)
 
 
 @flat
@@ -46,3 +48,9 @@ def execute(code: int, row: Row) -> None:
     """Execute a block of this family by its row in TABLE."""
     if code == 0:
         unit_delay(row)
+    elif code == 1:
+        dead_time(row)
+    elif code == 2:
+        moving_average(row)
+    elif code == 3:
+        sample_hold(row)
