@@ -7,11 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.explain import Activated, Explanation, Origin
+from fcl_sim.engine.instance import Instance
 from fcl_sim.model import Point, Points, Term
 from fcl_sim.report.inference import PAGE, draw, picture, pictures
 from fcl_sim.report.inference_rules import LINES
 from fcl_sim.report.inference_shapes import activated_line, line_over
+from fcl_sim.report.strips import Strip, parted
 from fcl_sim.report.vector import svg
 from fcl_sim.report.words import number
 from tests.report.inferences import grid, long_inputs, long_names, nested, three, tip
@@ -329,3 +332,27 @@ def test_an_explanation_is_drawn_of_a_block_that_remembers():
     explanation: Explanation = instance.explain(service=20.0, food=5.0)
     (axes,) = axes_of(draw(tip().function_block, explanation), "output tip")
     assert list(lines(axes, "_result")[0].get_xdata()) == [instance.tip] * 2
+
+
+def test_a_heading_does_not_end_a_page():
+    def strip(height, *, heading=False):
+        return Strip(height, lambda figure, page, top: None, heading)
+
+    body, heading = strip(40.0), strip(10.0, heading=True)
+    assert parted([body, body, heading, body], 100.0) == [[body, body], [heading, body]]
+    assert parted([heading, strip(200.0), body], 100.0)[0][0] == heading
+    assert [len(page) for page in parted([body] * 5, 100.0)] == [2, 2, 1]
+
+
+def test_an_input_kept_in_its_range_shows_its_value_and_where_its_degrees_are_taken():
+    model = three().function_block
+    kept = replace(
+        model,
+        inputs=tuple(replace(each, range=(0.0, 10.0)) for each in model.inputs),
+        fuzzifications=tuple(replace(each, clamped=True) for each in model.fuzzifications),
+    )
+    figure = draw(kept, Instance(kept, assemble(kept)).explain(distance=12.0, angle=4.0))
+    (axes,) = axes_of(figure, "input distance")
+    assert [line.get_xdata()[0] for line in lines(axes, "_value") + lines(axes, "_clamped")] == [12.0, 10.0]
+    assert [(line.get_xdata()[0], line.get_ydata()[0]) for line in lines(axes, "_degree")] == [(10.0, 1.0)]
+    assert "distance = 12, taken as 10" in written(figure)
