@@ -12,6 +12,12 @@ Floats = NDArray[float64]
 
 
 @inlined
+def moments_of_two(place: float, degree: float, other_place: float, other: float) -> tuple[float, float]:
+    """Return what two singletons add to the two sums of CoGS."""
+    return place * degree + other_place * other, degree + other
+
+
+@inlined
 def moments_of_singletons(
     places: Floats, place: int, degrees: Floats, degree: int, count: int
 ) -> tuple[float, float]:
@@ -23,10 +29,14 @@ def moments_of_singletons(
     moment = 0.0
     total = 0.0
     for index in range(0, count, 2):
-        first = degrees[u(degree + index)]
-        second = degrees[u(degree + index + 1)]
-        moment += places[u(place + index)] * first + places[u(place + index + 1)] * second
-        total += first + second
+        both, degree_of_both = moments_of_two(
+            places[u(place + index)],
+            degrees[u(degree + index)],
+            places[u(place + index + 1)],
+            degrees[u(degree + index + 1)],
+        )
+        moment += both
+        total += degree_of_both
     return moment, total
 
 

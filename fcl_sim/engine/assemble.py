@@ -23,6 +23,7 @@ from fcl_sim.engine.program import Layout, Program
 from fcl_sim.engine.refuse import refuse
 from fcl_sim.engine.straighten import straightened
 from fcl_sim.engine.switches import switched
+from fcl_sim.engine.together import together
 from fcl_sim.model import Curve, FunctionBlock, Variable
 
 
@@ -65,6 +66,7 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
     }
     for word, value in header.items():
         buffers.ints[word] = value
+    buffers.ints[p.TOGETHER] = together(buffers.ints)
     buffers.floats[p.LIMIT], buffers.floats[p.TIE] = precision.limit, precision.tie
     initial = _initial(block, max(outputs.size, clear + cleared))
     with np.errstate(over="ignore"):

@@ -1,10 +1,27 @@
 """What Python calls: one evaluation, and many over arrays."""
 
+import numpy as np
 from numpy import float64, int64
 from numpy.typing import NDArray
 
-from fcl_sim.engine.infer import infer
-from fcl_sim.engine.program import DEGREES, OUTPUTS
+from fcl_sim.engine.batch import (
+    GAP,
+    TOGETHER_AT_MOST,
+    bring_rows,
+    defuzzify_rows,
+    fuzzify_rows,
+    visit_rows,
+)
+from fcl_sim.engine.infer import accumulate, defuzzify, infer
+from fcl_sim.engine.program import (
+    ALL_TOGETHER,
+    CLAMPS,
+    DEGREES,
+    ONE_BY_ONE,
+    OUTPUTS,
+    RULES,
+    TOGETHER,
+)
 from fcl_sim.jit import F4, Entry, F, I, entry, i8, signature, u, void
 
 
@@ -21,38 +38,55 @@ EVALUATE_ONE = {"LREAL": evaluate_one, "REAL": evaluate_one_real}
 """By arithmetic."""
 
 
-@entry(signature(void, I, F, F, F, F, F, i8, i8))
+@entry(signature(void, I, F, F, F, i8, i8))
 def evaluate_many(
     ints: NDArray[int64],
     floats: NDArray[float64],
     memory: NDArray[float64],
     points: NDArray[float64],
-    outputs: NDArray[float64],
-    active: NDArray[float64],
     start: int,
     stop: int,
 ) -> None:
     """Evaluate points `start` to `stop`, each without the memory of another.
 
     `points` holds the inputs one after the other, all values of the first, all
-    of the second and so on; `outputs` likewise the previous values, which NC
-    keeps, and takes the new ones; `active` takes the flags.
+    of the second and so on; likewise the previous values of the outputs, which
+    NC keeps, and takes the new ones; likewise it takes the flags.
     """
-    n_out = ints[u(OUTPUTS)]
-    n_in = ints[u(DEGREES)] - 2 * n_out
-    size = outputs.size // max(1, n_out)
-    for row in range(start, stop):
-        for i in range(n_in):
-            memory[u(i)] = points[u(i * size + row)]
-        for i in range(n_out):
-            memory[u(n_in + i)] = outputs[u(i * size + row)]
-        infer(ints, floats, 0, memory, 0)
-        for i in range(n_out):
-            outputs[u(i * size + row)] = memory[u(n_in + i)]
-            active[u(i * size + row)] = memory[u(n_in + n_out + i)]
+    head = ints[u(DEGREES)]
+    given = head - ints[u(OUTPUTS)]
+    size = points.size // max(1, head)
+    how = ints[u(TOGETHER)]
+    first, last = head + ints[u(RULES)], ints[u(CLAMPS)]
+    step = TOGETHER_AT_MOST if how != ONE_BY_ONE else 1
+    width = min(step, stop - start) + GAP
+    rows = np.empty((last + 2) * width if how != ONE_BY_ONE else 0, memory.dtype)
+    cells = np.empty(width, np.int64)
+    for row in range(start, stop, step):
+        count = min(step, stop - row)
+        if how != ONE_BY_ONE:
+            for place in range(first * width, last * width):
+                rows[u(place)] = 0.0
+            fuzzify_rows(ints, floats, points, size, row, rows, width, cells, count)
+            bring_rows(ints, points, size, row, rows, width, count)
+            visit_rows(ints, floats, rows, width, count)
+        if how == ALL_TOGETHER:
+            defuzzify_rows(ints, floats, rows, width, points, size, row, count)
+            continue
+        for point in range(count):
+            for word in range(given):
+                memory[u(word)] = points[u(word * size + row + point)]
+            if how == ONE_BY_ONE:
+                accumulate(ints, floats, 0, memory, 0)
+            else:
+                for word in range(first, last):
+                    memory[u(word)] = rows[u(word * width + point)]
+            defuzzify(ints, floats, 0, memory, 0)
+            for word in range(given - ints[u(OUTPUTS)], head):
+                points[u(word * size + row + point)] = memory[u(word)]
 
 
-evaluate_many_real = Entry(evaluate_many.function, signature(void, I, F4, F4, F4, F4, F4, i8, i8))
+evaluate_many_real = Entry(evaluate_many.function, signature(void, I, F4, F4, F4, i8, i8))
 """`evaluate_many` in binary32."""
 
 EVALUATE_MANY = {"LREAL": evaluate_many, "REAL": evaluate_many_real}

@@ -274,13 +274,8 @@ def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) ->
 
 
 @inlined
-def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
-    """Evaluate the program at `ints[at]` once, on the instance memory at `memory[base]`.
-
-    Reads the inputs and, for NC, the outputs; writes the outputs, their flags,
-    the degrees of the rules and of all terms. Inputs are finite: callers see
-    to that (S37).
-    """
+def accumulate(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
+    """Take all steps but defuzzification; arguments as of `infer`."""
     clear(ints, at, memory, base)
     mask = fuzzify(ints, floats, at, memory, base)
     if ints[u(at + BROUGHT)] > 0:
@@ -297,4 +292,15 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
         word += 1
         if summary > 0:
             word = next_word(ints, at, memory, base, word)
+
+
+@inlined
+def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
+    """Evaluate the program at `ints[at]` once, on the instance memory at `memory[base]`.
+
+    Reads the inputs and, for NC, the outputs; writes the outputs, their flags,
+    the degrees of the rules and of all terms. Inputs are finite: callers see
+    to that (S37).
+    """
+    accumulate(ints, floats, at, memory, base)
     defuzzify(ints, floats, at, memory, base)

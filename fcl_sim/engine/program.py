@@ -32,6 +32,8 @@ Header (i):
     VISITED       (m) with SUMMARY > 0: how many words of the mask were visited, and which
     ROWS          (m) with WORDS > 1: where each grid's current mask begins (i)
     STACK         (m) stack of the postfix code
+    TOGETHER      which steps are taken for many points together: ONE_BY_ONE none, UP_TO_RULES all but
+                  defuzzification, ALL_TOGETHER all
 
 Grid record (i), one for each input that has terms with constant points:
     GRID_INPUT    (m) the variable
@@ -161,8 +163,9 @@ from numpy.typing import NDArray
     VISITED,
     ROWS,
     STACK,
+    TOGETHER,
     HEADER_SIZE,
-) = range(22)
+) = range(23)
 
 GRID_INPUT, GRID_COUNT, GRID_KNOTS, GRID_WIDTH, GRID_ROWS, GRID_SEGMENTS, GRID_SIZE = range(7)
 BRING_INPUT, BRING_SLOT, BRING_NOT, BRING_SIZE = range(4)
@@ -214,6 +217,7 @@ ONE, VERY, EXTREMELY, SOMEWHAT, SELDOM, LOOK = range(-16, -22, -1)
 GROUP_MAX, GROUP_BSUM, GROUP_NSUM, GROUP_SUM, GROUP_NORM = range(5)
 BY_COGS, BY_DEGREE, BY_SINGLETONS, BY_AREA = range(4)
 METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM, METHOD_SUM = range(6)
+ONE_BY_ONE, UP_TO_RULES, ALL_TOGETHER = range(3)
 
 LIMIT, TIE, BOUNDS = range(3)
 

@@ -47,7 +47,7 @@ SMALL = block(
 )
 
 SHOWN = """\
-program small: 119 integers, 55 floats, 21 words of memory
+program small: 120 integers, 55 floats, 21 words of memory
 
 memory (the first 6 words are recorded)
   m0    x

@@ -1,0 +1,207 @@
+"""Many points together, a step of A.2.3 at a time.
+
+A step over some hundred points is a loop that becomes vector instructions. A
+row is `width` numbers, one for each point, in place of a word of the instance
+memory: word m of a point is `rows[m * width + point]`. Each point sees the
+arithmetic of `infer` in its order, so that results are the same to the last
+bit: a rule that cannot fire has the degree 0, and accumulates nothing.
+
+Inputs, outputs and flags stay where the caller has them: word m of a point is
+`points[m * size + row + point]`, where the first of the points is `row` of
+`size`.
+"""
+
+from numpy import float64, int64
+from numpy.typing import NDArray
+
+from fcl_sim.arithmetic.defuzzify import moments_of_two
+from fcl_sim.arithmetic.membership import cell_of, degree_on
+from fcl_sim.arithmetic.operators import clamped, maximum, minimum
+from fcl_sim.engine.program import (
+    ALL_MIN,
+    BRING,
+    BRING_INPUT,
+    BRING_NOT,
+    BRING_SIZE,
+    BRING_SLOT,
+    BROUGHT,
+    CLAMPS,
+    DE_BRUIJN,
+    FLOATS,
+    GRID,
+    GRID_COUNT,
+    GRID_INPUT,
+    GRID_KNOTS,
+    GRID_ROWS,
+    GRID_SEGMENTS,
+    GRID_SIZE,
+    GRID_WIDTH,
+    GRIDS,
+    MASK_BITS,
+    OUT_ACTIVE,
+    OUT_DEGREES,
+    OUT_KEEP,
+    OUT_PLACES,
+    OUT_TERMS,
+    OUT_VALUE,
+    OUTPUT,
+    OUTPUT_SIZE,
+    OUTPUTS,
+    RULE,
+    RULE_BODY,
+    RULE_KIND,
+    RULE_LENGTH,
+    RULE_THEN,
+    RULES,
+    SEGMENT_SIZE,
+    SUMMARY,
+    THEN_DEGREE,
+    THEN_SIZE,
+    THEN_SUM,
+    THEN_WEIGHT,
+    WORDS,
+)
+from fcl_sim.jit import flat, u
+
+Ints = NDArray[int64]
+Floats = NDArray[float64]
+
+TOGETHER_AT_MOST = 256
+"""Points: a row is worth its loop, and the rows in use stay in the nearest cache."""
+GAP = 8
+"""Numbers between rows, so that they do not all begin in the same few lines of the cache."""
+
+
+@flat
+def fuzzify_rows(
+    ints: Ints,
+    floats: Floats,
+    points: Floats,
+    size: int,
+    row: int,
+    rows: Floats,
+    width: int,
+    cells: Ints,
+    count: int,
+) -> None:
+    """Write the degrees of all input terms into cleared rows; `cells` is a row of integers to work in."""
+    origin = ints[u(FLOATS)]
+    words = ints[u(WORDS)] + ints[u(SUMMARY)]
+    grid = ints[u(GRID)]
+    for _ in range(ints[u(GRIDS)]):
+        given = ints[u(grid + GRID_INPUT)] * size + row
+        knots, knot_count = origin + ints[u(grid + GRID_KNOTS)], ints[u(grid + GRID_COUNT)]
+        for point in range(count):
+            cells[u(point)] = cell_of(points[u(given + point)], floats, knots, knot_count)
+        most = ints[u(grid + GRID_WIDTH)]
+        slots, segments = ints[u(grid + GRID_ROWS)], origin + ints[u(grid + GRID_SEGMENTS)]
+        for point in range(count):
+            x = points[u(given + point)]
+            slot = slots + cells[u(point)] * (most + words)
+            segment = segments + cells[u(point)] * (most * SEGMENT_SIZE)
+            for place in range(most):
+                degree = degree_on(x, floats, segment + place * SEGMENT_SIZE)
+                rows[u(ints[u(slot + place)] * width + point)] = degree
+        grid += GRID_SIZE
+
+
+@flat
+def bring_rows(ints: Ints, points: Floats, size: int, row: int, rows: Floats, width: int, count: int) -> None:
+    """Take the variables brought in as degrees or weights into [0, 1] (S27)."""
+    record = ints[u(BRING)]
+    for _ in range(ints[u(BROUGHT)]):
+        given = ints[u(record + BRING_INPUT)] * size + row
+        slot, complement = ints[u(record + BRING_SLOT)] * width, ints[u(record + BRING_NOT)] * width
+        for point in range(count):
+            degree = clamped(points[u(given + point)])
+            rows[u(slot + point)] = degree
+            rows[u(complement + point)] = 1.0 - degree
+        record += BRING_SIZE
+
+
+@flat
+def aggregate_rows(ints: Ints, rule: int, rows: Floats, width: int, count: int) -> int:
+    """Return where the row of the degrees of a rule's condition begins."""
+    body, length = rule + RULE_BODY, ints[u(rule + RULE_LENGTH)]
+    degree = int(ints[u(body)] * width)
+    result = ints[u(CLAMPS)] * width
+    for place in range(body + 1, body + length):
+        other = ints[u(place)] * width
+        if ints[u(rule + RULE_KIND)] == ALL_MIN:
+            for point in range(count):
+                rows[u(result + point)] = minimum(rows[u(degree + point)], rows[u(other + point)])
+        else:
+            for point in range(count):
+                rows[u(result + point)] = rows[u(degree + point)] * rows[u(other + point)]
+        degree = result
+    return degree
+
+
+@flat
+def conclude_rows(
+    ints: Ints, floats: Floats, then: int, degree: int, rows: Floats, width: int, count: int
+) -> None:
+    """Weight and accumulate the conclusion at `then` of a rule whose degrees are the row at `degree`."""
+    source = ints[u(then + THEN_WEIGHT)]
+    weighted = degree
+    if source != 0:
+        weighted = (ints[u(CLAMPS)] + 1) * width
+        constant = floats[u(ints[u(FLOATS)] + max(0, source))]
+        weights = (-1 - source) * width
+        for point in range(count):
+            weight = constant if source > 0 else rows[u(weights + point)]
+            rows[u(weighted + point)] = weight * rows[u(degree + point)]
+    target = ints[u(then + THEN_DEGREE)] * width
+    if ints[u(then + THEN_SUM)] == 0:
+        for point in range(count):
+            rows[u(target + point)] = maximum(rows[u(target + point)], rows[u(weighted + point)])
+    else:
+        for point in range(count):
+            rows[u(target + point)] += rows[u(weighted + point)]
+
+
+@flat
+def visit_rows(ints: Ints, floats: Floats, rows: Floats, width: int, count: int) -> None:
+    """Evaluate all rules."""
+    for number in range(ints[u(RULES)]):
+        bit = number % MASK_BITS
+        rule = ints[u(ints[u(RULE)] + number - bit + (((DE_BRUIJN << bit) >> 27) & 31))]
+        degree = aggregate_rows(ints, rule, rows, width, count)
+        then = rule + RULE_BODY + ints[u(rule + RULE_LENGTH)]
+        for _ in range(ints[u(rule + RULE_THEN)]):
+            conclude_rows(ints, floats, then, degree, rows, width, count)
+            then += THEN_SIZE
+
+
+@flat
+def defuzzify_rows(
+    ints: Ints, floats: Floats, rows: Floats, width: int, points: Floats, size: int, row: int, count: int
+) -> None:
+    """Write each output and its flag by CoGS; without an active rule, the DEFAULT or nothing (S30, S31)."""
+    moments = ints[u(CLAMPS)] * width
+    weights = moments + width
+    output = ints[u(OUTPUT)]
+    for _ in range(ints[u(OUTPUTS)]):
+        places = ints[u(FLOATS)] + ints[u(output + OUT_PLACES)]
+        terms, degrees = ints[u(output + OUT_TERMS)], ints[u(output + OUT_DEGREES)] * width
+        for point in range(count):
+            rows[u(moments + point)] = 0.0
+            rows[u(weights + point)] = 0.0
+        for term in range(0, terms, 2):
+            place, next_place = floats[u(places + term)], floats[u(places + term + 1)]
+            first = degrees + term * width
+            second = first + width
+            for point in range(count):
+                both = rows[u(first + point)], rows[u(second + point)]
+                moment, weight = moments_of_two(place, both[0], next_place, both[1])
+                rows[u(moments + point)] += moment
+                rows[u(weights + point)] += weight
+        default, keep = floats[u(places + terms)], ints[u(output + OUT_KEEP)] != 0
+        value = ints[u(output + OUT_VALUE)] * size + row
+        active = ints[u(output + OUT_ACTIVE)] * size + row
+        for point in range(count):
+            weight = rows[u(weights + point)]
+            other = points[u(value + point)] if keep else default
+            points[u(value + point)] = rows[u(moments + point)] / weight if weight != 0.0 else other
+            points[u(active + point)] = 1.0 if weight != 0.0 else 0.0
+        output += OUTPUT_SIZE
