@@ -114,7 +114,7 @@ EFFORT = (
     Metric(
         name="time_undefined",
         take=time_undefined,
-        words="time undefined",
+        words="time without an active rule",
         definition="time of the window over which no rule was active for this output; "
         "a scan counts until the next",
         unit=UnitRule(time=1),

@@ -1,118 +1,143 @@
-"""Where a formula is first violated: the stretch of scans that makes it false, whatever the others are."""
+"""Where a formula is first violated: the stretch of scans that makes it false, whatever the others are.
 
-from collections.abc import Iterable
+For every part of a formula, and every scan at which it is surely true or surely
+false, there is the stretch that makes it so: rows with its first and its last
+scan, (2, n), inf where the part is not so. They are found for all scans at once.
+"""
 
 import numpy as np
 from numpy.typing import NDArray
 
+from fcl_sim.judge.temporal import windows
 from fcl_sim.judge.temporal.evaluate import POSSIBLE, SURE, Course
 from fcl_sim.judge.temporal.tree import Edge, Junction, Not, Until, Window
+from fcl_sim.loop.trace import Values
 
-Stretch = tuple[int, int]
-"""First and last scan."""
+Mask = NDArray[np.bool_]
+Indices = NDArray[np.int64]
+
+NOWHERE = np.full((1, 1), np.inf)
 
 
-def violation(course: Course) -> Stretch:
-    """Return the first stretch of scans that makes a formula false at the first scan; it must be so."""
-    return _Reasons().why(course, 0, value=False)
+def violation(course: Course) -> tuple[int, int]:
+    """Return first and last scan of the first stretch that makes a formula false at its first scan."""
+    first, last = _Reasons(course.rows.shape[1]).why(course, value=False)[:, 0]
+    return int(first), int(last)
 
 
 class _Reasons:
-    """Stretches that make parts of a formula true or false, each looked for once."""
+    """The stretches of a formula's parts over `count` scans, each looked for once."""
 
-    def __init__(self) -> None:
-        self.found: dict[tuple[int, int, bool], Stretch] = {}
+    def __init__(self, count: int) -> None:
+        self.scans = np.arange(count)
+        self.found: dict[tuple[int, bool], Values] = {}
 
-    def why(self, course: Course, scan: int, *, value: bool) -> Stretch:
-        """Return the stretch that makes a part `value` at a scan: of several, the first."""
-        key = (id(course), scan, value)
+    def why(self, course: Course, *, value: bool) -> Values:
+        """Return the stretches that make a part `value`: of several, the first."""
+        key = (id(course), value)
         if key not in self.found:
-            self.found[key] = self._look(course, scan, value=value)
+            rows = self._look(course, value=value)
+            rows[:, ~_surely(course, value=value)] = np.inf
+            self.found[key] = rows
         return self.found[key]
 
-    def _look(self, course: Course, scan: int, *, value: bool) -> Stretch:
+    def _look(self, course: Course, *, value: bool) -> Values:
         match course.node:
             case Not():
-                return self.why(course.parts[0], scan, value=not value)
+                return self.why(course.parts[0], value=not value).copy()
             case Edge(operator=operator):
-                return self._edge(course.parts[0], scan, value, rise=operator == "rise")
+                return self._edge(course.parts[0], rise=operator == "rise", value=value)
             case Junction(operator=operator):
-                return self._junction(operator, course, scan, value=value)
+                return self._junction(operator, course, value=value)
             case Window(operator=operator):
                 whole = (operator == "always") == value
-                return (self._all if whole else self._first)(course, scan, value=value)
+                return (self._whole if whole else self._first)(course, value=value)
             case Until():
-                return self._until(course, scan, value=value)
+                return self._kept(course) if value else self._broken(course)
             case _:
-                return scan, scan
+                return self._at_once()
 
-    def _edge(self, part: Course, scan: int, value: bool, *, rise: bool) -> Stretch:  # noqa: FBT001
-        if scan == 0:
-            return 0, 0
-        reasons = [
-            self.why(part, at, value=wanted == value)
-            for at, wanted in ((scan - 1, not rise), (scan, rise))
-            if _surely(part, value=wanted == value)[at]
-        ]
-        return _around(reasons) if value else min(reasons)
+    def _at_once(self) -> Values:
+        return np.array([self.scans, self.scans], dtype=np.float64)
 
-    def _junction(self, operator: str, course: Course, scan: int, *, value: bool) -> Stretch:
-        wanted = (value != (operator == "implies"), value)
-        reasons = [
-            self.why(part, scan, value=want)
-            for part, want in zip(course.parts, wanted, strict=True)
-            if _surely(part, value=want)[scan]
-        ]
-        if operator == "implies" and not value and _is_trigger(course.parts[0]):
-            return _around([(scan, scan), reasons[1]])
-        return _around(reasons) if (operator == "and") == value else min(reasons)
+    def _edge(self, part: Course, *, rise: bool, value: bool) -> Values:
+        now = self.why(part, value=rise == value)
+        before = np.full_like(now, np.inf)
+        before[:, 1:] = self.why(part, value=rise != value)[:, :-1]
+        rows = _around(now, before) if value else _earlier(now, before)
+        rows[:, 0] = 0.0
+        return rows
 
-    def _all(self, course: Course, scan: int, *, value: bool) -> Stretch:
-        (part,) = course.parts
-        first, last = _within(course, scan)
-        if _is_state(part):
-            return first, last
-        return _around(self.why(part, at, value=value) for at in range(first, last + 1))
+    def _junction(self, operator: str, course: Course, *, value: bool) -> Values:
+        left, right = course.parts
+        implies = operator == "implies"
+        why_right = self.why(right, value=value)
+        if implies and not value and _is_trigger(left):
+            return _around(self._at_once(), why_right)
+        why_left = self.why(left, value=value != implies)
+        if (operator == "and") == value or (implies and not value):
+            return _around(why_left, why_right)
+        return _earlier(why_left, why_right)
 
-    def _first(self, course: Course, scan: int, *, value: bool) -> Stretch:
+    def _whole(self, course: Course, *, value: bool) -> Values:
+        """Return from the first to the last reason in a window all of which is `value`."""
+        first, last = np.vsplit(self.why(course.parts[0], value=value), 2)
+        if isinstance(course.node, Window) and course.node.interval.end is None:
+            starts = windows.to_the_end(first, NOWHERE, course.over, np.minimum)
+            stops = windows.to_the_end(last, NOWHERE, course.over, np.maximum)
+        else:
+            starts = windows.extreme(first, NOWHERE, course.over, np.minimum, np.inf)
+            stops = windows.extreme(last, NOWHERE, course.over, np.maximum, -np.inf)
+        return np.vstack([starts, stops])
+
+    def _first(self, course: Course, *, value: bool) -> Values:
         """Return the first stretch of a window over which its part is `value`."""
         (part,) = course.parts
-        first, last = _within(course, scan)
-        so = _surely(part, value=value)[first : last + 1]
-        begin = first + int(np.argmax(so))
-        rest = so[begin - first :]
-        end = begin + (len(rest) if rest.all() else int(np.argmin(rest))) - 1
-        return _around((self.why(part, begin, value=value), self.why(part, end, value=value)))
+        so, count = _surely(part, value=value), len(self.scans)
+        begin = np.minimum(self._next(so)[course.over.first], count - 1)
+        end = np.minimum(self._next(~so)[begin] - 1, np.minimum(course.over.last, count - 1))
+        why = self.why(part, value=value)
+        return _around(why[:, begin], why[:, np.maximum(end, begin)])
 
-    def _until(self, course: Course, scan: int, *, value: bool) -> Stretch:
+    def _broken(self, course: Course) -> Values:
+        """Return why an until is false: its right side up to where the left one goes, or all of it."""
         left, right = course.parts
-        if value:
-            return self._kept(course, scan)
-        first, last = int(course.over.first[scan]), int(course.over.last[scan])
-        gone = np.flatnonzero(_surely(left, value=False)[scan : max(first, last)])
-        stop = scan + int(gone[0]) if len(gone) else last
-        reasons = [self.why(right, at, value=False) for at in range(first, stop + 1)]
-        if len(gone):
-            reasons.append(self.why(left, stop, value=False))
-        return _around(reasons)
+        over, count = course.over, len(self.scans)
+        goes = self._next(_surely(left, value=False))[:-1]
+        gone = goes < np.maximum(over.first, over.last)
+        stop = np.minimum(np.where(gone, goes, over.last), count - 1)
+        rows = self._between(right, over.first, stop, value=False)
+        why = self.why(left, value=False)[:, stop]
+        return np.where(gone, _around(rows, why), rows)
 
-    def _kept(self, course: Course, scan: int) -> Stretch:
-        """Return the stretch that makes an until true."""
+    def _kept(self, course: Course) -> Values:
+        """Return why an until is true: its right side where it first is, its left side up to there."""
         left, right = course.parts
-        first, last = _within(course, scan)
-        come = first + int(np.argmax(_surely(right, value=True)[first : last + 1]))
-        held = [self.why(left, at, value=True) for at in range(scan, come)]
-        return _around([*held, self.why(right, come, value=True)])
+        come = self._next(_surely(right, value=True))[course.over.first]
+        come = np.minimum(come, len(self.scans) - 1)
+        held = self._between(left, self.scans, come - 1, value=True)
+        return _around(held, self.why(right, value=True)[:, come])
+
+    def _between(self, part: Course, first: Indices, last: Indices, *, value: bool) -> Values:
+        starts, stops = np.vsplit(self.why(part, value=value), 2)
+        first = np.minimum(first, len(self.scans))
+        return np.vstack(
+            [
+                windows.anywhere(starts, first, last, np.minimum, np.inf),
+                windows.anywhere(stops, first, last, np.maximum, -np.inf),
+            ]
+        )
+
+    def _next(self, so: Mask) -> Indices:
+        """Return (n + 1,) for each scan the next one, itself included, that is `so`; n where none is."""
+        count = len(self.scans)
+        ahead = np.where(so, self.scans, count)[::-1]
+        return np.append(np.minimum.accumulate(ahead)[::-1], count)
 
 
-def _surely(course: Course, *, value: bool) -> NDArray[np.bool_]:
-    found: NDArray[np.bool_] = course.rows[SURE] > 0 if value else course.rows[POSSIBLE] < 0
+def _surely(course: Course, *, value: bool) -> Mask:
+    found: Mask = course.rows[SURE] > 0 if value else course.rows[POSSIBLE] < 0
     return found
-
-
-def _is_state(course: Course) -> bool:
-    """Return whether a part looks at its own scan alone."""
-    return not isinstance(course.node, Edge | Window | Until) and all(map(_is_state, course.parts))
 
 
 def _is_trigger(course: Course) -> bool:
@@ -120,12 +145,15 @@ def _is_trigger(course: Course) -> bool:
     return _is_state(course) or (isinstance(course.node, Edge) and _is_state(course.parts[0]))
 
 
-def _within(course: Course, scan: int) -> Stretch:
-    """Return the scans of a window, as far as the trace goes."""
-    count = course.rows.shape[1] - 1
-    return min(int(course.over.first[scan]), count), min(int(course.over.last[scan]), count)
+def _is_state(course: Course) -> bool:
+    """Return whether a part looks at its own scan alone."""
+    return not isinstance(course.node, Edge | Window | Until) and all(map(_is_state, course.parts))
 
 
-def _around(reasons: Iterable[Stretch]) -> Stretch:
-    told = list(reasons)
-    return min(each[0] for each in told), max(each[1] for each in told)
+def _around(one: Values, other: Values) -> Values:
+    return np.vstack([np.minimum(one[0], other[0]), np.maximum(one[1], other[1])])
+
+
+def _earlier(one: Values, other: Values) -> Values:
+    first = (one[0] < other[0]) | ((one[0] == other[0]) & (one[1] <= other[1]))
+    return np.where(first, one, other)

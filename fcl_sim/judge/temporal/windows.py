@@ -65,7 +65,7 @@ def extreme(values: Values, beyond: Values, over: Reach, pick: Pick, neutral: fl
     """
     if over.shift is not None:
         return _sliding(values, beyond, over.shift, pick)
-    return _anywhere(np.hstack([values, beyond]), over.first, over.last, pick, neutral)
+    return anywhere(np.hstack([values, beyond]), over.first, over.last, pick, neutral)
 
 
 def _sliding(values: Values, beyond: Values, shift: tuple[int, int], pick: Pick) -> Values:
@@ -78,7 +78,8 @@ def _sliding(values: Values, beyond: Values, shift: tuple[int, int], pick: Pick)
     return pick(table[:, :count], table[:, width - size : width - size + count])
 
 
-def _anywhere(values: Values, first: Indices, last: Indices, pick: Pick, neutral: float) -> Values:
+def anywhere(values: Values, first: Indices, last: Indices, pick: Pick, neutral: float) -> Values:
+    """Return (k, m): the extreme of the columns `first` to `last` (m,); `neutral` where last < first."""
     found = np.full((len(values), len(first)), neutral)
     width = np.maximum(last - first + 1, 0)
     level = np.frexp(width.astype(np.float64))[1] - 1  # 2**level <= width; -1 where empty
