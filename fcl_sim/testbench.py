@@ -88,7 +88,9 @@ def run(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Outcome
 
 def run_scenario(scenario: Scenario) -> Outcome:
     """Return what comes of a scenario that was read."""
-    runs = {each.variant: run_prepared(each) for each in prepare(scenario)}
+    simulated = {each.variant: (each, *_simulated(each)) for each in prepare(scenario)}
+    traces = {variant: trace for variant, (_, trace, _) in simulated.items()}
+    runs = {variant: _judged(*each, traces) for variant, each in simulated.items()}
     verdict = worst([each.verdict for each in runs.values()])
     return Outcome(scenario=scenario, variants=MappingProxyType(runs), verdict=verdict)
 
@@ -120,11 +122,18 @@ def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepare
 
 
 def run_prepared(prepared: Prepared) -> Run:
-    """Return what comes of one variant: simulated, judged."""
+    """Return what comes of one variant alone: simulated, judged; nothing is held against other runs."""
+    return _judged(prepared, *_simulated(prepared), {})
+
+
+def _simulated(prepared: Prepared) -> tuple[Trace, float]:
     begun = perf_counter()
     trace = simulate(prepared.diagram)
-    seconds = perf_counter() - begun
-    verdicts = judge(trace, prepared.requirements)
+    return trace, perf_counter() - begun
+
+
+def _judged(prepared: Prepared, trace: Trace, seconds: float, runs: Mapping[str, Trace]) -> Run:
+    verdicts = judge(trace, prepared.requirements, runs)
     return Run(
         variant=prepared.variant,
         title=prepared.title,

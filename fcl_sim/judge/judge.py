@@ -1,6 +1,7 @@
 """Trace and requirements → verdicts."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
@@ -10,20 +11,26 @@ from fcl_sim.judge.formulae import consider
 from fcl_sim.judge.measure import measure
 from fcl_sim.judge.metric import Limits
 from fcl_sim.judge.metrics import METRICS
+from fcl_sim.judge.relative import compare
 from fcl_sim.judge.verdict import Band, Requirement, Status, Verdict
 from fcl_sim.loop.trace import Trace
 
+NO_RUNS: Mapping[str, Trace] = MappingProxyType({})
 
-def judge(trace: Trace, requirements: Sequence[Requirement]) -> tuple[Verdict, ...]:
+
+def judge(
+    trace: Trace, requirements: Sequence[Requirement], runs: Mapping[str, Trace] = NO_RUNS
+) -> tuple[Verdict, ...]:
     """Return the verdict on each requirement, in their order.
 
-    The metric and the signals of every requirement must exist: a signal that
+    `runs` are the traces of the runs by variant, for requirements that are
+    relative to one of them. The metric and the signals of every requirement must exist: a signal that
     the trace lacks is an InputFault that names the nearest.
     """
     missing = [(each, name) for each in requirements for name in each.signals if name not in trace]
     if missing:
         raise InputFault(_no_signal(trace, each, name) for each, name in missing)
-    return tuple(_judge_one(trace, each) for each in requirements)
+    return tuple(_judge_one(trace, each, runs) for each in requirements)
 
 
 def _no_signal(trace: Trace, requirement: Requirement, name: str) -> Diagnostic:
@@ -34,8 +41,8 @@ def _no_signal(trace: Trace, requirement: Requirement, name: str) -> Diagnostic:
     return Diagnostic(code="JDG101", message=message, places=places, hint=hint)
 
 
-def _judge_one(trace: Trace, requirement: Requirement) -> Verdict:
-    found = _find(trace, requirement)
+def _judge_one(trace: Trace, requirement: Requirement, runs: Mapping[str, Trace]) -> Verdict:
+    found = _find(trace, requirement, runs)
     status, reason = _after_expectation(found, requirement)
     return Verdict(
         requirement=requirement,
@@ -49,20 +56,26 @@ def _judge_one(trace: Trace, requirement: Requirement) -> Verdict:
     )
 
 
-def _find(trace: Trace, requirement: Requirement) -> Finding:
+def _find(trace: Trace, requirement: Requirement, runs: Mapping[str, Trace]) -> Finding:
     if trace.fault is not None:
         at = wording.seconds(trace.fault.tick / 1e9)
         return Finding(status=Status.FAULT, reason=f"the run ended at {at}: {trace.fault.reason}")
     if requirement.formula is not None:
         return consider(trace, requirement.formula)
-    return measure(trace, requirement, METRICS[requirement.metric])
+    metric, relative = METRICS[requirement.metric], requirement.relative_to
+    if relative is not None:
+        return compare(trace, runs.get(relative.variant), requirement, metric, relative)
+    return measure(trace, requirement, metric)
 
 
 def _definition(trace: Trace, requirement: Requirement) -> str:
     if requirement.formula is not None:
         return str(requirement.formula)
     unit = trace.units[requirement.signal]
-    return wording.definition(METRICS[requirement.metric], requirement, unit)
+    definition = wording.definition(METRICS[requirement.metric], requirement, unit)
+    if requirement.relative_to is None:
+        return definition
+    return f"{wording.relation(requirement.relative_to)}: {definition}"
 
 
 def _after_expectation(found: Finding, requirement: Requirement) -> tuple[Status, str]:

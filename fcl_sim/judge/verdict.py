@@ -25,6 +25,21 @@ def worst(statuses: list[Status]) -> Status:
     return min(statuses, key=order.index) if statuses else Status.UNTESTED
 
 
+class Form(StrEnum):
+    """How a figure is compared with that of another run."""
+
+    RATIO = "ratio"
+    DIFFERENCE = "difference"
+
+
+@dataclass(frozen=True, slots=True)
+class Relative:
+    """A bound is on the ratio to, or the difference from, the figure of the run `variant`."""
+
+    variant: str
+    form: Form
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Requirement:
     """A bound on a metric of the trace, or a formula that holds.
@@ -32,7 +47,8 @@ class Requirement:
     `metric` names a row of `judge.metrics.METRICS`, `signal` the signal it is
     taken of, `arguments` its further arguments as numbers in the unit of the
     signal, or seconds; `restart_at` the times, in seconds, at which it is taken
-    anew. `minimum` and `maximum` are in `unit`, the metric's. With a `formula`
+    anew. `minimum` and `maximum` are in `unit`, the metric's, or of what
+    `relative_to` makes of it. With a `formula`
     these are empty, and `unit` is that of its robustness.
     `expect_fail` says that the run is meant to miss it; the text says why.
     """
@@ -44,6 +60,7 @@ class Requirement:
     formula: Formula | None = None
     arguments: Mapping[str, float] = field(default_factory=dict)
     restart_at: tuple[float, ...] = ()
+    relative_to: Relative | None = None
     minimum: float | None = None
     maximum: float | None = None
     unit: str = ""

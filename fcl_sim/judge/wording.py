@@ -1,7 +1,7 @@
 """The sentences of a verdict: number, unit, bound and signal, for a reader of the report."""
 
 from fcl_sim.judge.metric import WINDOW, Kind, Metric
-from fcl_sim.judge.verdict import Requirement
+from fcl_sim.judge.verdict import Form, Relative, Requirement
 from fcl_sim.units import short
 
 DIGITS = 4
@@ -60,6 +60,12 @@ def definition(metric: Metric, requirement: Requirement, signal_unit: str) -> st
         times = ", ".join(short(each) for each in requirement.restart_at)
         given.append(f"restart_at = {times} s")
     return f"{metric.definition}; {', '.join(given)}" if given else metric.definition
+
+
+def relation(relative: Relative) -> str:
+    """Return what is bounded instead of a figure alone."""
+    to = "to" if relative.form is Form.RATIO else "from"
+    return f"{relative.form} {to} that of the run `{relative.variant}`"
 
 
 def finding(metric: Metric, requirement: Requirement, value: float) -> str:

@@ -6,6 +6,7 @@ from typing import Any
 
 from fcl_sim import __version__
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
+from fcl_sim.judge.wording import relation
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.model import Defuzzification, RuleBlock
@@ -217,7 +218,10 @@ def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
 def _metric_name(requirement: Requirement) -> str:
     if requirement.formula is not None:
         return "robustness"
-    return one_line(requirement.metric.replace("_", " "))
+    name = one_line(requirement.metric.replace("_", " "))
+    if requirement.relative_to is None:
+        return name
+    return f"{name} ({one_line(relation(requirement.relative_to))})"
 
 
 def _result(run: Run, verdict: Verdict) -> Data:

@@ -13,7 +13,7 @@ from importlib.metadata import version
 from typing import Any
 
 from fcl_sim import __version__
-from fcl_sim.judge.verdict import Band, Verdict
+from fcl_sim.judge.verdict import Band, Relative, Verdict
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
 from fcl_sim.testbench import Outcome, Run
@@ -111,6 +111,7 @@ def _verdict(verdict: Verdict) -> Json:
         "formula": None if asked.formula is None else str(asked.formula),
         "arguments": _finite(asked.arguments),
         "restart_at": [_number(each) for each in asked.restart_at],
+        "relative_to": _relative(asked.relative_to),
         "minimum": _number(asked.minimum),
         "maximum": _number(asked.maximum),
         "unit": asked.unit,
@@ -123,6 +124,10 @@ def _verdict(verdict: Verdict) -> Json:
         "band": _band(verdict.band),
         "violation_s": None if verdict.violation is None else [_number(each) for each in verdict.violation],
     }
+
+
+def _relative(relative: Relative | None) -> Json | None:
+    return None if relative is None else {"variant": relative.variant, "as": str(relative.form)}
 
 
 def _band(band: Band | None) -> Json | None:

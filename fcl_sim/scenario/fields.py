@@ -8,6 +8,7 @@ from pydantic_core import PydanticCustomError
 
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.judge.verdict import Form
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.units import UnitError, nanoseconds, parse_quantity, parse_unit
 
@@ -142,6 +143,10 @@ def choice_of(known: tuple[str, ...]) -> Any:
     return Annotated[Any, PlainValidator(lambda value: _choice(value, known)), _schema({}, enum=list(known))]
 
 
+def _form(value: Any) -> str:
+    return _choice(value, tuple(Form))
+
+
 def _expectation(value: Any) -> Any:
     if isinstance(value, dict):
         for each in value.values():
@@ -188,6 +193,7 @@ SchemeName = Annotated[
 CycleTime = Annotated[
     Any, PlainValidator(lambda value: _choice(value, CYCLE_TIMES)), _schema({}, enum=list(CYCLE_TIMES))
 ]
+FormName = Annotated[Any, PlainValidator(_form), _schema({}, enum=list(Form))]
 Expectation = Annotated[
     Any,
     PlainValidator(_expectation),

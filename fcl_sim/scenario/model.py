@@ -7,6 +7,7 @@ from typing import Any
 
 from fcl_sim.diagnostics import Source, Span
 from fcl_sim.judge.temporal.formula import Statement
+from fcl_sim.judge.verdict import Relative
 from fcl_sim.loop.diagram import Integration, Timing
 from fcl_sim.toml.tree import Entry
 
@@ -95,6 +96,7 @@ class RequirementText:
     metric: str = ""
     signal: Entry | None = None
     arguments: Entries = field(default_factory=dict)
+    relative_to: Relative | None = None
     minimum: Entry | None = None
     maximum: Entry | None = None
 

@@ -9,7 +9,7 @@ from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.metric import RESTART_AT, WINDOW, Argument, Kind, Metric
 from fcl_sim.judge.metrics import METRICS
-from fcl_sim.judge.verdict import Requirement
+from fcl_sim.judge.verdict import Form, Relative, Requirement
 from fcl_sim.scenario.formulae import in_units, statement_of
 from fcl_sim.scenario.model import RequirementText
 from fcl_sim.scenario.quantities import converted
@@ -41,6 +41,7 @@ def _text(entry: Entry, variants: Sequence[str], faults: list[Diagnostic]) -> Re
     metric, formula = entry.get("metric"), entry.get("formula")
     faults += _expectation_faults(entry.get("expect"), variants)
     faults += _kind_faults(entry)
+    faults += _relative_faults(entry.get("relative_to"), variants)
     found = _measured(entry, metric, faults) if metric is not None else None
     if formula is not None:
         statement = statement_of(formula, faults)
@@ -63,7 +64,7 @@ def _kind_faults(entry: Entry) -> Iterator[Diagnostic]:
         hint = 'write metric = { NAME = { signal = ... } } with min or max, or formula = "..."'
         yield finding("SCN408", "the requirement has neither `metric` nor `formula`", entry.key, hint)
     elif formula is not None:
-        for name in ("metric", "min", "max"):
+        for name in ("metric", "relative_to", "min", "max"):
             other = entry.get(name)
             if other is not None:
                 hint = "a second requirement can have it" if name == "metric" else "compare in the formula"
@@ -85,6 +86,7 @@ def _measured(entry: Entry, metric: Entry, faults: list[Diagnostic]) -> dict[str
         "metric": name,
         "signal": signal,
         "arguments": arguments.without(SIGNAL).table,
+        "relative_to": _relative(entry.get("relative_to")),
         "minimum": entry.get("min"),
         "maximum": entry.get("max"),
     }
@@ -111,6 +113,21 @@ def _expectation_faults(expect: Entry | None, variants: Sequence[str]) -> Iterat
             near = nearest(name, variants)
             hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
             yield finding("SCN405", f"there is no variant called `{name}`", entry.key, hint)
+
+
+def _relative(entry: Entry | None) -> Relative | None:
+    variant, form = (entry.get(name) if entry else None for name in ("variant", "as"))
+    if variant is None or form is None or form.value not in list(Form):
+        return None
+    return Relative(str(variant.value), Form(form.value))
+
+
+def _relative_faults(entry: Entry | None, variants: Sequence[str]) -> Iterator[Diagnostic]:
+    variant = entry.get("variant") if entry else None
+    if variant is not None and isinstance(variant.value, str) and variant.value not in variants:
+        near = nearest(variant.value, variants)
+        hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
+        yield finding("SCN405", f"there is no variant called `{variant.value}`", variant, hint)
 
 
 def _metric_faults(metric: Entry, requirement: Entry) -> Iterator[Diagnostic]:
@@ -158,11 +175,14 @@ def requirements_for(
 ) -> tuple[Requirement, ...]:
     """Return the requirements on the run of a variant, in the units of its signals.
 
+    One that is relative to that run itself is none.
+
     `units` has the unit of every signal of the run or the recorded trace.
     InputFault where a signal does not exist or a unit does not fit.
     """
     faults: list[Diagnostic] = []
-    found = [_in_units(text, variant, units, faults) for text in texts]
+    asked = [each for each in texts if each.relative_to is None or each.relative_to.variant != variant]
+    found = [_in_units(text, variant, units, faults) for text in asked]
     if faults:
         raise InputFault(faults)
     return tuple(each for each in found if each is not None)
@@ -203,6 +223,8 @@ def _of_metric(
         if name != RESTART_AT.name
     }
     own = metric.unit.unit(unit)
+    if text.relative_to is not None and text.relative_to.form is Form.RATIO:
+        own = parse_unit("")
     what = f"a {metric.words} of `{signal}`"
     minimum = converted(text.minimum, own, what, faults)
     maximum = converted(text.maximum, own, what, faults)
@@ -217,6 +239,7 @@ def _of_metric(
         signal=signal,
         arguments=arguments,
         restart_at=restarts,
+        relative_to=text.relative_to,
         minimum=minimum,
         maximum=maximum,
         unit=own.symbol,

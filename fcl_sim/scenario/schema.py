@@ -18,6 +18,7 @@ from fcl_sim.scenario.fields import (
     CycleTime,
     Expectation,
     Filled,
+    FormName,
     Name,
     Positive,
     PositiveTime,
@@ -104,6 +105,15 @@ class ControllerTable(Table):
     outputs: dict[str, WireText] = Field({}, description="what differs from the file's outputs")
 
 
+RELATIVE: dict[str, Any] = {
+    "variant": (Filled, Field(description="the run whose figure it is held against")),
+    "as": (FormName, Field(description="ratio, or difference in the unit of the metric")),
+}
+RelativeTable = create_model(
+    "RelativeTable", __base__=Table, __doc__="The run beside which a metric is judged.", **RELATIVE
+)
+
+
 class RequirementTable(Table):
     """A bound on a metric of a signal, or a formula that holds."""
 
@@ -111,6 +121,7 @@ class RequirementTable(Table):
     text: Filled = Field(description="the requirement in words, with the reason of an expected miss")
     metric: dict[str, dict[str, Any]] | None = Field(None, description="one metric with its arguments")
     formula: Filled = Field(None, description="temporal formula or sentence, instead of a metric")
+    relative_to: RelativeTable | None = Field(None, description="bound the metric beside that of a variant")
     min: Quantified = Field(None, description="smallest allowed value")
     max: Quantified = Field(None, description="largest allowed value")
     expect: Expectation = Field(None, description='"fail", or { VARIANT = "fail" }: the miss is expected')

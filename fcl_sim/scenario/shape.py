@@ -18,7 +18,6 @@ Location = tuple[int | str, ...]
 LATER: Mapping[str, str] = {
     "vary": "write each case as a variant: [variants.NAME]",
     "extend": "write what differs as a variant: [variants.NAME]",
-    "relative_to": "bound a metric with min or max",
 }
 """Keys of later versions, and what serves until then."""
 

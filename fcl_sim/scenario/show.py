@@ -109,7 +109,9 @@ def _measured(requirement: RequirementText) -> str:
         if entry is not None
     ]
     signal = requirement.signal.value if requirement.signal else ""
-    return f"{requirement.metric}({signal}{arguments}) {', '.join(bounds)}"
+    relative = requirement.relative_to
+    beside = f" as a {relative.form} to {relative.variant}" if relative else ""
+    return f"{requirement.metric}({signal}{arguments}){beside} {', '.join(bounds)}"
 
 
 def _time(ticks: int) -> str:

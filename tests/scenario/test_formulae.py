@@ -127,3 +127,41 @@ def test_restarts_reach_the_requirement_in_seconds(bench):
 def test_several_faults_of_a_formula_are_told_at_once(bench):
     told = fault(bench, 'formula = "always crane.swey < 1 deg and crane.sway < 1 m"\n')
     assert [told.count(code) for code in ("JDG202", "JDG203")] == [1, 1]
+
+
+RELATIVE = """\
+metric      = { peak = { signal = "crane.sway" } }
+relative_to = { variant = "base", as = "ratio" }
+max         = 2.5
+"""
+
+
+def test_a_requirement_beside_another_run_is_none_on_that_run(bench):
+    with_formula(bench, RELATIVE)
+    found = {each.variant: [one.id for one in each.requirements] for each in prepare(bench.read())}
+    assert "CR-4" not in found.pop("base")
+    assert all("CR-4" in ids for ids in found.values())
+    assert "CR-4: peak(crane.sway) as a ratio to base at most 2.5\n" in show_scenario(bench.read())
+
+
+def test_a_ratio_has_no_unit_and_a_difference_that_of_the_metric(bench):
+    with_formula(bench, RELATIVE)
+    ratio = prepare(bench.read())[1].requirements[3]
+    assert (ratio.unit, ratio.maximum, ratio.relative_to.variant) == ("", 2.5, "base")
+    bench.edit("transfer.toml", ('as = "ratio"', 'as = "difference"'), ("= 2.5", '= "0.1 rad"'))
+    difference = prepare(bench.read())[1].requirements[3]
+    assert (difference.unit, difference.maximum) == ("deg", pytest.approx(5.72957795))
+
+
+@pytest.mark.parametrize(
+    ("edit", "told"),
+    [
+        (('"base"', '"raw_distanz"'), "error[SCN405]: there is no variant called `raw_distanz`"),
+        (('"ratio"', '"quotient"'), "error[SCN203]: `as` cannot be `quotient`"),
+        ((', as = "ratio"', ""), "error[SCN202]: `relative_to` has no `as`"),
+        (("2.5", '"2.5 deg"'), "is a plain number, and this is in deg"),
+    ],
+)
+def test_a_slip_in_a_comparison_is_told(bench, edit, told):
+    with_formula(bench, RELATIVE.replace(*edit))
+    assert told in bench.fault()

@@ -48,7 +48,7 @@ MISSHAPEN = [
     ("[[require]]\nid = 'A'\nmin = true", "`min` is a quantity, not true or false"),
     ("[[require]]\nid = 'A'\nmin = '1 furlong'", "`min`: there is no unit `furlong`"),
     ("[[require]]\ntext = 'A'", "`require` 1 has no `id`"),
-    ("[[require]]\nid = 'A'\nrelative_to = 'x'", "`relative_to` is not read by this version"),
+    ("[[require]]\nid = 'A'\nrelative_to = 'x'", "`relative_to` is a table, not a text"),
     ("require = [3]", "an entry of `require` is a table, not a number"),
     ("[blocks.gain]\ntype = 'gain'\ninput = 'x'", "`gain` has no `gain`"),
     ("[blocks.x]\ninput = 'x'", "`x` has no `type`"),
