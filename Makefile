@@ -18,7 +18,7 @@ fuzz_stamp := $(venv)/fuzz.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench prove docs fuzz images lock clean
+.PHONY: help run test lint smoke bench speed prove docs fuzz images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -50,8 +50,11 @@ smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench fro
 	@elsewhere=$$(mktemp -d) && trap 'rm -rf "$$elsewhere"' EXIT && cd "$$elsewhere" && \
 	  $(CURDIR)/build/smoke/venv/bin/fcl-sim run >run.log && test -s reports/report.pdf && tail -n 1 run.log
 
-bench: $(test_stamp) ## measure the speed, against C
+bench: $(test_stamp) ## measure the speed, against C and other Python libraries
 	@$(python) -m benchmarks
+
+speed: $(test_stamp) ## the same, and write it to docs/speed.md
+	@$(python) -m benchmarks --write
 
 prove: $(test_stamp) ## compare BASES=100000 random rule bases with the oracle (an hour)
 	@$(python) -m tests.engine.prove $(BASES)

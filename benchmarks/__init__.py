@@ -1,1 +1,1 @@
-"""Speed, measured as ratios in one run: ours and hand-written C take turns."""
+"""Speed, measured as ratios in one run: ours, hand-written C and other libraries take turns."""
