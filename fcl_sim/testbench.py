@@ -21,7 +21,18 @@ from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 
-__all__ = ["BASE", "Outcome", "Prepared", "Run", "bench_of", "prepare", "run", "run_prepared", "run_scenario"]
+__all__ = [
+    "BASE",
+    "Outcome",
+    "Prepared",
+    "Run",
+    "bench_of",
+    "judge_trace",
+    "prepare",
+    "run",
+    "run_prepared",
+    "run_scenario",
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,6 +130,15 @@ def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepare
         diagram=diagram,
         requirements=requirements(scenario, variant, units),
     )
+
+
+def judge_trace(trace: Trace, scenario: Scenario, variant: str = BASE) -> tuple[Verdict, ...]:
+    """Return what comes of a recorded trace by the requirements on a run; nothing is simulated.
+
+    InputFault where the trace lacks a signal that is asked for, or has it in a
+    unit that does not fit.
+    """
+    return judge(trace, requirements(scenario, variant, trace.units))
 
 
 def run_prepared(prepared: Prepared) -> Run:

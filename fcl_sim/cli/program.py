@@ -11,6 +11,7 @@ from fcl_sim.diagnostics import nearest
 
 COMMANDS = {
     "run": "Simulate scenarios in closed loop, judge them, write reports.",
+    "judge": "Judge a recorded trace by the requirements of a scenario.",
     "eval": "Evaluate a rule base once.",
     "plot": "Draw membership functions and the characteristic curve or surface.",
     "check": "Read rule bases and list what is wrong with them.",

@@ -5,13 +5,12 @@ from pathlib import Path
 from time import perf_counter
 
 import click
-from rich.console import Console
 
 from fcl_sim import testbench
 from fcl_sim.cli.benches import reports_folder, scenario_files
 from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.progress import progress
-from fcl_sim.cli.table import print_verdicts
+from fcl_sim.cli.table import console, print_verdicts
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.jit import cache_folder
 from fcl_sim.judge.verdict import Status
@@ -20,9 +19,6 @@ from fcl_sim.report import results, summary, writer
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.overrides import setting
 from fcl_sim.testbench import Outcome
-
-PIPE_WIDTH = 1000
-"""Where the reader is no terminal, a verdict stays one line, however long its names."""
 
 
 def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ...]) -> dict[str, object]:
@@ -112,10 +108,7 @@ def _is_warm() -> bool:
 
 
 def _print(outcomes: Sequence[Outcome]) -> None:
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console.width = PIPE_WIDTH
-    print_verdicts(list(summary.rows(outcomes)), console)
+    print_verdicts(list(summary.rows(outcomes)), console())
     if outcomes:
         click.echo(summary.sentence(outcomes))
 

@@ -16,10 +16,21 @@ OF_RUN = 2
 MEASURED = "measured"
 GAP = 2
 
+PIPE_WIDTH = 1000
+"""Where the reader is no terminal, a verdict stays one line, however long its names."""
+
 COLOURS = {Status.PASS: "green", Status.FAIL: "red", Status.FAULT: "red"}
 OTHER_COLOUR = "yellow"
 
 Cells = Sequence[Sequence[Text]]
+
+
+def console() -> Console:
+    """Return the terminal of this process, or what takes its place."""
+    found = Console(highlight=False)
+    if not found.is_terminal:
+        found.width = PIPE_WIDTH
+    return found
 
 
 def print_verdicts(rows: Sequence[Row], console: Console) -> None:

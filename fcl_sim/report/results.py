@@ -13,9 +13,10 @@ from importlib.metadata import version
 from typing import Any
 
 from fcl_sim import __version__
-from fcl_sim.judge.verdict import Band, Relative, Verdict
+from fcl_sim.judge.verdict import Band, Relative, Verdict, worst
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
+from fcl_sim.scenario.model import Scenario
 from fcl_sim.testbench import Outcome, Run
 
 SCHEMA = 1
@@ -34,9 +35,28 @@ def document(outcomes: Sequence[Outcome]) -> Json:
     }
 
 
+def recorded(trace: str, scenario: Scenario, variant: str, verdicts: Sequence[Verdict]) -> str:
+    """Return what came of a recorded trace, judged by a scenario, as text."""
+    made = {
+        "schema": SCHEMA,
+        "tool": "fcl_sim",
+        "versions": versions(),
+        "verdict": str(worst([each.status for each in verdicts])),
+        "trace": trace,
+        "scenario": scenario.name,
+        "variant": variant,
+        "requirements": [_verdict(each) for each in verdicts],
+    }
+    return _printed(made)
+
+
 def text(outcomes: Sequence[Outcome]) -> str:
     """Return the document as text, the same from the same inputs."""
-    return json.dumps(document(outcomes), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+    return _printed(document(outcomes))
+
+
+def _printed(made: Json) -> str:
+    return json.dumps(made, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def versions() -> dict[str, str]:

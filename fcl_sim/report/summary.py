@@ -26,17 +26,22 @@ def rows(outcomes: Sequence[Outcome]) -> Iterator[Row]:
     """Yield the verdicts of all runs, in the order of scenarios, variants and requirements."""
     for outcome in outcomes:
         for run in outcome.variants.values():
-            for verdict in run.verdicts:
-                yield Row(
-                    scenario=outcome.scenario.name,
-                    variant=run.variant,
-                    id=verdict.requirement.id,
-                    text=verdict.requirement.text,
-                    bound=bound(verdict.requirement),
-                    value=value(verdict),
-                    status=verdict.status,
-                    note=expectation(verdict),
-                )
+            yield from rows_of(outcome.scenario.name, run.variant, run.verdicts)
+
+
+def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterator[Row]:
+    """Yield the verdicts of one run."""
+    for verdict in verdicts:
+        yield Row(
+            scenario=scenario,
+            variant=variant,
+            id=verdict.requirement.id,
+            text=verdict.requirement.text,
+            bound=bound(verdict.requirement),
+            value=value(verdict),
+            status=verdict.status,
+            note=expectation(verdict),
+        )
 
 
 def overall(outcomes: Sequence[Outcome]) -> Status:
@@ -51,10 +56,14 @@ def sentence(outcomes: Sequence[Outcome]) -> str:
     if not runs:
         return "Nothing was run."
     parts = [counted(len(outcomes), "scenario"), counted(len(runs), "run"), counted(len(verdicts), "verdict")]
-    asked = ", ".join(parts)
+    return sentence_of(", ".join(parts), verdicts)
+
+
+def sentence_of(judged: str, verdicts: Sequence[Verdict]) -> str:
+    """Return how what was judged came out."""
     if not verdicts:
-        return f"{asked}: nothing was asked of them."
-    return f"{asked}: {tally(verdicts)}.{_misses(verdicts)}"
+        return f"{judged}: nothing was asked of them."
+    return f"{judged}: {tally(verdicts)}.{_misses(verdicts)}"
 
 
 def tally(verdicts: Sequence[Verdict]) -> str:
