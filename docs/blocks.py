@@ -72,8 +72,9 @@ def _group(each: BlockInputs) -> str:
 
 def _parameter(each: BlockParameter) -> str:
     unit = ", ".join(_unit(column) or "any" for column in each.columns) or _unit(each.unit)
-    unit = unit if each.kind in {"quantity", "list", "table"} else ""
+    unit = unit if each.kind in {"quantity", "list", "table", "rows"} else ""
     words = {"choice": f": {listed(each.choices)}", "table": ": rows of numbers", "list": ": a list"}
+    words["rows"] = ": a list of numbers by name"
     told = (
         f"{each.meaning}{words.get(each.kind, '')}{'; may be a signal' if each.port else ''}{_bounds(each)}"
     )
@@ -92,7 +93,7 @@ def _bounds(each: BlockParameter) -> str:
 
 
 def _default(value: Any) -> str:
-    if value is None:
+    if value is None or value == "":
         return ""
     if isinstance(value, bool):
         return str(value).lower()

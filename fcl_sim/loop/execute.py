@@ -9,7 +9,7 @@ compilation.
 from collections.abc import Callable
 
 from fcl_sim.jit import Entry, F, I, entry, f8, function_type, i8, inlined, signature, u, void
-from fcl_sim.loop.blocks import calculation, controllers, delays, dynamics, nonlinear, sources
+from fcl_sim.loop.blocks import calculation, controllers, delays, dynamics, nonlinear, routing, sources
 from fcl_sim.loop.blocks.differentiator import differentiate
 from fcl_sim.loop.blocks.fuzzy import evaluate
 from fcl_sim.loop.blocks.integrator import integrate
@@ -97,6 +97,8 @@ def execute_further(
         dynamics.execute(code, row)
     elif family == 6:
         controllers.execute(code, row)
+    elif family == 7:
+        routing.execute(code, row)
 
 
 @entry(signature(*_FURTHER))

@@ -1,10 +1,10 @@
 """Does a block fit what its type declares? Names first, then units, then what its parameters may be."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from fcl_sim.diagnostics import Diagnostic, Place, Span, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.loop.blocks.declaration import BlockParameter, UnitRule
+from fcl_sim.loop.blocks.declaration import BlockParameter, Misfit, UnitRule
 from fcl_sim.loop.blocks.setting import Setting
 from fcl_sim.loop.diagram import FuzzyNode, Node, Timing
 from fcl_sim.loop.settings import members_of, outputs_of, quantities_of, resolved, setting_of, type_of
@@ -71,13 +71,21 @@ def _unfit_parameters(node: Node) -> Iterator[Diagnostic]:
         if given is None and parameter.default is None and name not in node.inputs:
             message = f"`{node.name}` needs its parameter `{name}`: {parameter.meaning}"
             yield fault("WIR103", message, node.span)
-        elif parameter.kind in {"list", "table", "units"} and not given and parameter.default is None:
+        elif parameter.kind in {"list", "table", "rows", "units"} and not given and parameter.default is None:
             message = f"`{name}` of `{node.name}` is empty"
             yield fault("WIR202", message, _place(node, name), f"it is {parameter.meaning}")
         if given is not None and parameter.choices and given not in parameter.choices:
             hint = f"it is {listed(parameter.choices)}"
             message = f"`{name}` of `{node.name}` cannot be `{given}`"
             yield fault("WIR202", message, _place(node, name), hint)
+    if kind.legible and all(each.name in node.parameters for each in kind.parameters if each.default is None):
+        yield from _told(node, kind.legible(node.parameters))
+
+
+def _told(node: Node, misfits: Iterable[Misfit]) -> Iterator[Diagnostic]:
+    for each in misfits:
+        place = each.span or _place(node, each.parameter)
+        yield fault("WIR202", f"`{node.name}`: {each.message}", place, each.hint)
 
 
 def settle(
@@ -136,9 +144,7 @@ def _out_of_bounds(node: Node, setting: Setting) -> Iterator[Diagnostic]:
                 message = f"`{parameter.name}` of `{node.name}` is {_given(node, parameter, value)}"
                 yield fault("WIR202", message, _place(node, parameter.name), _bounds(parameter))
     if kind.check and not found:
-        for each in kind.check(setting):
-            message = f"`{node.name}`: {each.message}"
-            yield fault("WIR202", message, _place(node, each.parameter), each.hint)
+        yield from _told(node, kind.check(setting))
 
 
 def _within(parameter: BlockParameter, value: float) -> bool:

@@ -1,9 +1,10 @@
 """Nodes → what their blocks are set up with: ports, outputs, parameters as numbers in their units."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fcl_sim.loop.blocks import BLOCKS
 from fcl_sim.loop.blocks.declaration import BlockOutput, BlockParameter, BlockType, UnitRule
@@ -109,6 +110,9 @@ def quantities_of(node: Node) -> dict[str, Quantity]:
             found[parameter.name] = given[0]
         elif parameter.kind == "table" and given:
             found |= {f"{parameter.name}.{i}": each for i, each in enumerate(given[0])}
+        elif parameter.kind == "rows" and given:
+            first = next(iter(given.values()))
+            found |= {f"{parameter.name}.{i}": each for i, each in enumerate(first)}
     return found
 
 
@@ -140,15 +144,37 @@ def _value(
         unit = resolved(parameter.unit, inputs, parameters) or (given[0].unit if given else ONE)
         return np.array([_number(each, unit) for each in given])
     if parameter.kind == "table":
-        rules = parameter.columns
-        if not given:
-            return np.empty((0, len(rules)))
-        first = given[0]
-        units = [resolved(each, inputs, parameters) or first[i].unit for i, each in enumerate(rules)]
-        return np.array(
-            [[_number(cell, unit) for cell, unit in zip(row, units, strict=True)] for row in given]
-        )
+        return _table(parameter, given, inputs, parameters)
+    if parameter.kind == "rows":
+        return {name: _row(parameter, row, inputs, parameters) for name, row in given.items()}
     return given
+
+
+def _table(
+    parameter: BlockParameter,
+    rows: Sequence[Sequence[Quantity]],
+    inputs: Mapping[str, Unit],
+    parameters: Mapping[str, Quantity],
+) -> NDArray[np.float64]:
+    """Return rows as numbers; columns of any unit are in that of the first row."""
+    rules = parameter.columns
+    if not rows:
+        return np.empty((0, len(rules)))
+    units = [resolved(each, inputs, parameters) or rows[0][i].unit for i, each in enumerate(rules)]
+    return np.array([[_number(cell, unit) for cell, unit in zip(row, units, strict=True)] for row in rows])
+
+
+def _row(
+    parameter: BlockParameter,
+    row: Sequence[Quantity],
+    inputs: Mapping[str, Unit],
+    parameters: Mapping[str, Quantity],
+) -> NDArray[np.float64]:
+    """Return a row of its own name as numbers; cells of any unit are in that of the first of them."""
+    rules = parameter.columns or (parameter.unit,) * len(row)
+    units = [resolved(each, inputs, parameters) for each in rules]
+    free = [cell.unit for cell, unit in zip(row, units, strict=True) if unit is None]
+    return np.array([_number(cell, unit or free[0]) for cell, unit in zip(row, units, strict=True)])
 
 
 def _number(quantity: Quantity, unit: Unit | None) -> float:

@@ -57,29 +57,33 @@ def _wires(kind: BlockType, block: Entry, wired: Callable[[Entry], Wire]) -> dic
 
 
 def _value(parameter: BlockParameter, entry: Entry, file: SourceFile | None, faults: Faults) -> Any:
+    if parameter.kind == "rows":
+        return {name: _row(parameter, row, faults) for name, row in entry.table.items()}
+    return _single(parameter, entry, file, faults)
+
+
+def _single(parameter: BlockParameter, entry: Entry, file: SourceFile | None, faults: Faults) -> Any:
     if parameter.kind == "file":
         return Text(file.name, file.source.text) if file else Text(str(entry.value), "")
     if parameter.kind == "units":
         return {name: str(each.value) for name, each in entry.table.items()}
     if parameter.kind == "table":
-        for row in entry.items:
-            if len(row.items) != len(parameter.columns):
-                message = (
-                    f"a row of `{parameter.name}` has {len(parameter.columns)} numbers, not {len(row.items)}"
-                )
-                faults.append(finding("SCN203", message, row, parameter.meaning))
-        return tuple(
-            tuple(
-                _quantity(parameter.name, cell, unit, faults)
-                for cell, unit in zip(row.items, parameter.columns, strict=False)
-            )
-            for row in entry.items
-        )
+        return tuple(_row(parameter, row, faults) for row in entry.items)
     if parameter.kind == "list":
         return tuple(_quantity(parameter.name, each, parameter.unit, faults) for each in entry.items)
     if parameter.kind == "quantity":
         return _quantity(parameter.name, entry, parameter.unit, faults)
     return entry.value
+
+
+def _row(parameter: BlockParameter, row: Entry, faults: Faults) -> tuple[Any, ...]:
+    columns = parameter.columns or (parameter.unit,) * len(row.items)
+    if len(row.items) != len(columns):
+        message = f"a row of `{parameter.name}` has {len(columns)} numbers, not {len(row.items)}"
+        faults.append(finding("SCN203", message, row, parameter.meaning))
+    return tuple(
+        _quantity(parameter.name, cell, unit, faults) for cell, unit in zip(row.items, columns, strict=False)
+    )
 
 
 def _quantity(name: str, entry: Entry, unit: Any, faults: Faults) -> Any:

@@ -178,6 +178,7 @@ PARAMETERS: Mapping[str, Any] = {
     "text": Filled,
     "list": list[Quantified],
     "table": list[list[Quantified]],
+    "rows": dict[Name, list[Quantified]],
     "units": dict[Name, UnitText],
     "file": Filled,
 }

@@ -85,7 +85,7 @@ def test_every_declaration_is_sound():
         for parameter in block.parameters:
             assert parameter.kind in KINDS
             assert bool(parameter.choices) == (parameter.kind == "choice")
-            assert bool(parameter.columns) == (parameter.kind == "table")
+            assert parameter.kind == "rows" or bool(parameter.columns) == (parameter.kind == "table")
             assert not parameter.port or parameter.kind == "quantity"
         if block.group:
             assert block.group.form in {"gains", "list", "named"}

@@ -150,6 +150,8 @@ TRIAL = BlockType(
         BlockParameter(name="levels", kind="list", unit="m", default=(), meaning="levels"),
         BlockParameter(name="curve", kind="table", columns=("s", None), meaning="a curve"),
         BlockParameter(name="kp", unit="", default=1.0, port=True, meaning="a gain"),
+        BlockParameter(name="ranges", kind="rows", columns=("m", None), default=(), meaning="ranges"),
+        BlockParameter(name="marks", kind="rows", unit="m", default=(), meaning="marks"),
     ),
 )
 
@@ -179,6 +181,13 @@ def test_lists_tables_counts_and_parameters_that_are_signals_are_read(trial):
     assert trial('curve = []\nkp = "2.5"')[0].parameters["kp"] == parse_quantity(2.5)
 
 
+def test_rows_are_read_by_name_with_columns_or_of_any_length(trial):
+    node, faults = trial('curve = []\nranges = { a = ["1 cm", "2 kW"] }\nmarks = { b = [], c = ["1 m", 0] }')
+    assert faults == ["SCN404 `marks` is in m, and this has no unit"]
+    assert node.parameters["ranges"] == {"a": (parse_quantity("1 cm"), parse_quantity("2 kW"))}
+    assert node.parameters["marks"]["b"] == ()
+
+
 @pytest.mark.parametrize(
     ("text", "told"),
     [
@@ -189,6 +198,8 @@ def test_lists_tables_counts_and_parameters_that_are_signals_are_read(trial):
         ('curve = [["0 s"]]', "SCN203 a row of `curve` has 2 numbers, not 1"),
         ("curve = [3]", "SCN203 an entry of `curve` is a list, not a number"),
         ('curve = [["0 m", 1]]', "SCN404 `curve` is in s, and this is in m"),
+        ('curve = []\nranges = { a = ["1 m"] }', "SCN203 a row of `ranges` has 2 numbers, not 1"),
+        ("curve = []\nranges = { a = 1 }", "SCN203 `a` is a list, not a number"),
         ('curve = []\nkp = "2 furlong"', "SCN204 `kp`: there is no unit `furlong`"),
     ],
 )

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from fcl_sim.diagnostics import Span
 from fcl_sim.loop.blocks.setting import Setting
 from fcl_sim.units import ONE, Quantity, Unit, parse_unit
 
@@ -80,10 +81,12 @@ class BlockParameter:
 
     `kind` is one of KINDS. `unit`, of quantities, lists and tables, is what it
     must convert to: a text, a rule, None for any; a table has one for each
-    column in `columns`, and rules know column 0 of `curve` as `curve.0`. A
-    default that is a number is in that unit, whatever it is. `minimum`,
-    `maximum` and `above` (exclusive) bound it in that unit. With `port` it may
-    also be the name of a signal; the kernel then finds it among the inputs.
+    column in `columns`, and rules know column 0 of `curve` as `curve.0`. Rows
+    have `columns` too, None for the unit of the first such cell in the row; or
+    they are of any length, in `unit`. A default that is a number is in that
+    unit, whatever it is. `minimum`, `maximum` and `above` (exclusive) bound it
+    in that unit. With `port` it may also be the name of a signal; the kernel
+    then finds it among the inputs.
     """
 
     name: str
@@ -107,6 +110,7 @@ KINDS: Mapping[str, str] = {
     "text": "a text",
     "list": "a list of quantities",
     "table": "a list of rows of quantities",
+    "rows": "names, each with a list of quantities",
     "units": "names, each with its unit",
     "file": "a file, relative to the file that names it",
 }
@@ -134,11 +138,12 @@ class Prepared:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Misfit:
-    """What is wrong with a parameter, and what would be right."""
+    """What is wrong with a parameter, and what would be right; `span` where it stands in a file or text."""
 
     parameter: str
     message: str
     hint: str = ""
+    span: Span | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -152,7 +157,8 @@ class BlockType:
     of memory besides the outputs, all 0 at first; with `prepare` that says.
     `late` are inputs of which the block takes the value of the last scan, so
     that they close no algebraic loop. `check` yields what is wrong with
-    parameters beyond their bounds.
+    parameters beyond their bounds; `legible`, given the parameters as written,
+    what is wrong with a file or text, before any unit is looked at.
     """
 
     name: str
@@ -168,6 +174,7 @@ class BlockType:
     prepare: Callable[[Setting], Prepared] | None = None
     late: tuple[str, ...] | Callable[[Setting], tuple[str, ...]] = ()
     check: Callable[[Setting], Iterator[Misfit]] | None = None
+    legible: Callable[[Mapping[str, Any]], Iterator[Misfit]] | None = None
 
     @property
     def ports(self) -> tuple[BlockParameter, ...]:

@@ -1,9 +1,18 @@
-"""`dead_band`."""
+"""`dead_band`, and the family of nonlinear elements."""
 
 from math import copysign, fabs
 
 from fcl_sim.jit import flat, inlined
+from fcl_sim.loop.blocks.characteristic import CHARACTERISTIC, characteristic
 from fcl_sim.loop.blocks.declaration import BlockInput, BlockOutput, BlockParameter, BlockType, Like
+from fcl_sim.loop.blocks.relays import (
+    HYSTERESIS_RELAY,
+    QUANTISER,
+    RATE_LIMITER,
+    hysteresis_relay,
+    quantiser,
+    rate_limiter,
+)
 from fcl_sim.loop.row import Row, number, read, write
 
 
@@ -27,7 +36,7 @@ DEAD_BAND = BlockType(
     outputs=(BlockOutput(unit=Like("input")),),
 )
 
-TABLE = (DEAD_BAND,)
+TABLE = (DEAD_BAND, RATE_LIMITER, HYSTERESIS_RELAY, QUANTISER, CHARACTERISTIC)
 
 
 @flat
@@ -35,3 +44,11 @@ def execute(code: int, row: Row) -> None:
     """Execute a block of this family by its row in TABLE."""
     if code == 0:
         dead_band(row)
+    elif code == 1:
+        rate_limiter(row)
+    elif code == 2:
+        hysteresis_relay(row)
+    elif code == 3:
+        quantiser(row)
+    elif code == 4:
+        characteristic(row)

@@ -1,7 +1,10 @@
-"""Sources, blocks without inputs: `constant` and `step`."""
+"""Sources, blocks without inputs: `constant`, `step` and the table of all."""
 
 from fcl_sim.jit import flat, inlined
 from fcl_sim.loop.blocks.declaration import BlockOutput, BlockParameter, BlockType, Like
+from fcl_sim.loop.blocks.noise import NOISE, noise
+from fcl_sim.loop.blocks.recorded import STAIRCASE, TIME_TABLE, staircase, time_table
+from fcl_sim.loop.blocks.waveforms import CHIRP, PULSE, RAMP, SINE, chirp, pulse, ramp, sine
 from fcl_sim.loop.row import Row, number, write
 
 
@@ -42,7 +45,7 @@ STEP = BlockType(
     outputs=(BlockOutput(unit=Like("after")),),
 )
 
-TABLE = (CONSTANT, STEP)
+TABLE = (CONSTANT, STEP, STAIRCASE, RAMP, PULSE, SINE, CHIRP, TIME_TABLE, NOISE)
 
 
 @flat
@@ -52,3 +55,17 @@ def execute(code: int, row: Row) -> None:
         constant(row)
     elif code == 1:
         step(row)
+    elif code == 2:
+        staircase(row)
+    elif code == 3:
+        ramp(row)
+    elif code == 4:
+        pulse(row)
+    elif code == 5:
+        sine(row)
+    elif code == 6:
+        chirp(row)
+    elif code == 7:
+        time_table(row)
+    elif code == 8:
+        noise(row)
