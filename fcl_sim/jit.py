@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, TypeVar, cast
 
 import numba
@@ -28,6 +29,7 @@ from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import AnalysisPass, FunctionPass, register_pass
 from numba.core.typed_passes import NopythonTypeInference
 from numba.core.untyped_passes import IRProcessing
+from numba.experimental import structref
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -66,6 +68,31 @@ def signature(result: Any, *arguments: Any) -> Any:
 def function_type(result: Any, *arguments: Any) -> Any:
     """Return the signature part of an argument that is itself a kernel (first-class function)."""
     return types.FunctionType(result(*arguments))
+
+
+class Links(structref.StructRefProxy):
+    """First-class functions that were linked once; see `links_type`."""
+
+
+@structref.register
+class LinksType(types.StructRef):  # type: ignore[name-defined]
+    """numba's type of `Links`."""
+
+
+structref.define_boxing(LinksType, Links)
+
+
+def links_type(**functions: Any) -> Any:
+    """Return the signature part of an argument that holds first-class functions, each by its name.
+
+    As arguments of their own they would cost a tenth of a millisecond each at
+    every call from Python, in which numba looks their addresses up.
+    """
+    return LinksType(tuple(functions.items()))
+
+
+new_links: Callable[[Any], Any] = (lambda _: SimpleNamespace()) if numba.config.DISABLE_JIT else structref.new
+"""In a kernel: make an object of a `links_type`, whose attributes are still to be set."""
 
 
 def kernel(function: Function) -> Function:

@@ -4,6 +4,7 @@ import numpy as np
 
 from fcl_sim.loop import layout
 from fcl_sim.loop.diagram import Diagram, FuzzyNode
+from fcl_sim.loop.linked import linked
 from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.simulate import simulate
 from fcl_sim.loop.state import RunState, initial_state
@@ -54,9 +55,9 @@ def proceed(tape: Tape, state: RunState, record: Values, until: int | None = Non
     last = scans if until is None else min(until, scans)
     if state.over:
         return
-    functions = (*tape.wiring.diagram.plant.model.functions.ready(), tape.further.compile())
+    functions = linked(tape.wiring.diagram.plant.model.functions, tape.further)
     buffers = (tape.ints, tape.floats, state.memory, state.x, tape.p, state.progress, state.rows)
-    while simulate(*functions, *buffers, tape.starts, record, last) == layout.OUTSIDE:
+    while simulate(functions, *buffers, tape.starts, record, last) == layout.OUTSIDE:
         execute_outside(tape, state)
 
 

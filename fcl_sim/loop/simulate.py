@@ -6,7 +6,7 @@ import numpy as np
 
 from fcl_sim.jit import FF, F, I, entry, i8, inlined, signature, u
 from fcl_sim.loop.events import rearm
-from fcl_sim.loop.execute import FURTHER_TYPE, Further, execute
+from fcl_sim.loop.execute import execute
 from fcl_sim.loop.integrate import advance
 from fcl_sim.loop.layout import (
     CYCLE,
@@ -31,6 +31,7 @@ from fcl_sim.loop.layout import (
     WRITE_SIGNS_AT,
     WRITES_AT,
 )
+from fcl_sim.loop.linked import LINKED, Linked
 from fcl_sim.loop.row import Row
 from fcl_sim.loop.work import (
     GUESS,
@@ -46,7 +47,6 @@ from fcl_sim.loop.work import (
     Work,
 )
 from fcl_sim.plant.declaration import START
-from fcl_sim.plant.functions import FUNCTION_TYPES, PlantFunction
 
 
 @inlined
@@ -111,14 +111,9 @@ def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: in
     return True
 
 
-@entry(signature(i8, *FUNCTION_TYPES, FURTHER_TYPE, I, F, F, F, F, I, F, I, FF, i8))
+@entry(signature(i8, LINKED, I, F, F, F, F, I, F, I, FF, i8))
 def simulate(
-    dynamics: PlantFunction,
-    outputs: PlantFunction,
-    events: PlantFunction,
-    transition: PlantFunction,
-    sample: PlantFunction,
-    further: Further,
+    functions: Linked,
     ints: Ints,
     floats: Floats,
     memory: Floats,
@@ -145,7 +140,8 @@ def simulate(
     nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
     dx, trial = np.zeros(states), np.zeros(states)
     g0, g1 = np.zeros(count), np.zeros(count)
-    plant = Plant(dynamics, events, transition)
+    plant = Plant(functions.dynamics, functions.events, functions.transition)
+    outputs, sample, further = functions.outputs, functions.sample, functions.further
     work = Work(ints, floats, x, held, p, progress, rows, dx, trial, g0, g1)
     if progress[u(SCAN)] == 0 and progress[u(ROW)] == 0:
         rows[u(GUESS)] = nominal
