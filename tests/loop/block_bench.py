@@ -6,6 +6,7 @@ a block as a scenario would have it, and its law once more in plain Python.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from fcl_sim.loop.execute import keep_late
 from fcl_sim.loop.node_layout import lay_out
 from fcl_sim.loop.row import Row
 from fcl_sim.loop.wiring import wire
+from fcl_sim.plant.catalog import PlantModel
 from fcl_sim.units import parse_quantity
 from tests.loop.diagrams import plant_of, timing
 
@@ -106,9 +108,15 @@ class Case:
         return np.array(columns, dtype=np.float64).T
 
 
+@cache
+def signals(folder: Path) -> PlantModel:
+    """Return the plant SIGNALS, its file in `folder`."""
+    return plant_of(folder, SIGNALS, "signals")
+
+
 def diagram(folder: Path, *nodes: Node, **further: Any) -> Diagram:
     """Return nodes beside the plant SIGNALS."""
-    plant = PlantNode(name="signals", model=plant_of(folder, SIGNALS, "signals"))
+    plant = PlantNode(name="signals", model=signals(folder))
     return Diagram(plant=plant, nodes=nodes, timing=timing(20.0, 5.0, **further))
 
 

@@ -88,9 +88,8 @@ def pid(row: Row) -> None:
                 integral -= tracking_share(row, integral_time, derivative_time) * excess
             integral += step
         else:
-            wanted = others + integral + step
-            if not ((wanted > high and step > 0.0) or (wanted < low and step < 0.0)):
-                integral += step
+            free = others + integral
+            integral += min(step, max(high - free, 0.0)) if step > 0.0 else max(step, min(low - free, 0.0))
         wanted = others + integral
         output = limited(wanted, low, high)
     else:
@@ -173,7 +172,7 @@ PID = BlockType(
         "D = Kc Td d_k, d_k = d_{k-1} + T/(Td/N + T) ((w_k - w_{k-1})/T - d_{k-1}), w = c r - y, d_0 = 0; "
         "I_k = I_{k-1} + T Kc/Ti e_k, I_{-1} = initial, so that a change of Ti moves nothing, and one of Kc "
         "only Kc (e + Td d): where b is not 1, I takes (Kc_{k-1} - Kc_k) (b - 1) r. "
-        "clamping: I stays where v would lie beyond a limit and e drives it further; back_calculation: "
+        "clamping: e moves I only as far as v meets a limit, and not beyond; back_calculation: "
         "I_k further less T/Tt (v_{k-1} - y_{k-1}), T/Tt at most 1, with `tracked` in place of y. "
         "Manual: y = manual, held by the limits, and I = y - P - D - f, so that automatic goes on from there"
     ),

@@ -60,10 +60,12 @@ def isa(b=1.0, c=0.0, initial=0.0, back=False, **told):
                     given = samples["tracked"][k - 1] if "tracked" in samples else outputs[-1]
                     tracking = of("Tt", k) or (sqrt(ti * td) if td else ti)
                     integral += (given - v) * min(1.0, cycle / tracking)
-                beyond = parts + integral + added
-                pushing = (beyond > high and added > 0) or (beyond < low and added < 0)
-                if back or not pushing:
-                    integral += added
+                without, within = parts + integral, parts + integral + added
+                if not back and added > 0 and within > high:
+                    added = high - without if without < high else 0.0
+                if not back and added < 0 and within < low:
+                    added = low - without if without > low else 0.0
+                integral += added
                 v = parts + integral
                 outputs.append(min(max(v, low), high))
             else:
