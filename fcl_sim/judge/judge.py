@@ -5,6 +5,7 @@ from types import MappingProxyType
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.judge import corridor as corridors
 from fcl_sim.judge import wording
 from fcl_sim.judge.finding import Finding
 from fcl_sim.judge.formulae import consider
@@ -62,6 +63,8 @@ def _find(trace: Trace, requirement: Requirement, runs: Mapping[str, Trace]) -> 
         return Finding(status=Status.FAULT, reason=f"the run ended at {at}: {trace.fault.reason}")
     if requirement.formula is not None:
         return consider(trace, requirement.formula)
+    if requirement.corridor is not None:
+        return corridors.consider(trace, requirement.corridor)
     metric, relative = METRICS[requirement.metric], requirement.relative_to
     if relative is not None:
         return compare(trace, runs.get(relative.variant), requirement, metric, relative)
@@ -71,6 +74,8 @@ def _find(trace: Trace, requirement: Requirement, runs: Mapping[str, Trace]) -> 
 def _definition(trace: Trace, requirement: Requirement) -> str:
     if requirement.formula is not None:
         return str(requirement.formula)
+    if requirement.corridor is not None:
+        return wording.corridor(requirement.corridor)
     unit = trace.units[requirement.signal]
     definition = wording.definition(METRICS[requirement.metric], requirement, unit)
     if requirement.relative_to is None:

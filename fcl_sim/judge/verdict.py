@@ -41,15 +41,30 @@ class Relative:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Corridor:
+    """Limits of a signal over time, of the table called `name`.
+
+    `ticks` rise, in nanoseconds; `low` and `high`, one for each, are in the unit
+    of the signal, NaN where there is no edge.
+    """
+
+    name: str
+    signal: str
+    ticks: tuple[int, ...]
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Requirement:
-    """A bound on a metric of the trace, or a formula that holds.
+    """A bound on a metric of the trace, a formula that holds, or a corridor that is kept.
 
     `metric` names a row of `judge.metrics.METRICS`, `signal` the signal it is
     taken of, `arguments` its further arguments as numbers in the unit of the
     signal, or seconds; `restart_at` the times, in seconds, at which it is taken
     anew. `minimum` and `maximum` are in `unit`, the metric's, or of what
-    `relative_to` makes of it. With a `formula`
-    these are empty, and `unit` is that of its robustness.
+    `relative_to` makes of it. With a `formula` or a `corridor` these are empty,
+    and `unit` is that of its margin.
     `expect_fail` says that the run is meant to miss it; the text says why.
     """
 
@@ -58,6 +73,7 @@ class Requirement:
     metric: str = ""
     signal: str = ""
     formula: Formula | None = None
+    corridor: Corridor | None = None
     arguments: Mapping[str, float] = field(default_factory=dict)
     restart_at: tuple[float, ...] = ()
     relative_to: Relative | None = None
@@ -70,6 +86,8 @@ class Requirement:
     @property
     def signals(self) -> tuple[str, ...]:
         """The signals that it is about, each once."""
+        if self.corridor is not None:
+            return (self.corridor.signal,)
         return (self.signal,) if self.formula is None else self.formula.signals
 
 

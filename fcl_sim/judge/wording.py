@@ -1,7 +1,7 @@
 """The sentences of a verdict: number, unit, bound and signal, for a reader of the report."""
 
 from fcl_sim.judge.metric import WINDOW, Kind, Metric
-from fcl_sim.judge.verdict import Form, Relative, Requirement
+from fcl_sim.judge.verdict import Corridor, Form, Relative, Requirement
 from fcl_sim.units import short
 
 DIGITS = 4
@@ -62,6 +62,15 @@ def definition(metric: Metric, requirement: Requirement, signal_unit: str) -> st
     return f"{metric.definition}; {', '.join(given)}" if given else metric.definition
 
 
+def corridor(asked: Corridor) -> str:
+    """Return what the margin of a corridor is."""
+    first, last = (seconds(each / 1e9) for each in (asked.ticks[0], asked.ticks[-1]))
+    return (
+        f"smallest distance of the signal from the edges in {asked.name}, negative outside of them, "
+        f"at the scans from {first} to {last}; the edges are linear between the rows of the table"
+    )
+
+
 def relation(relative: Relative) -> str:
     """Return what is bounded instead of a figure alone."""
     to = "to" if relative.form is Form.RATIO else "from"
@@ -84,6 +93,6 @@ def never(metric: Metric, requirement: Requirement, end: float, last: str) -> st
 
 def as_sentence(text: str, requirement: Requirement) -> str:
     """Return text with a capital and a full stop; a signal keeps its letter case."""
-    if requirement.signal and text.startswith(requirement.signal):
+    if requirement.formula is None and text.startswith(requirement.signals):
         return f"{text}."
     return f"{text[0].upper()}{text[1:]}."

@@ -46,7 +46,11 @@ def _read_csv(path: Path) -> Trace:
     except UnicodeDecodeError as error:
         message = f"the file is not UTF-8 text: byte {error.start + 1} does not fit"
         raise InputFault.at_file("JDG301", path.as_posix(), message, "save it as UTF-8") from error
-    source = Source(path.as_posix(), text)
+    return parse_csv(Source(path.as_posix(), text))
+
+
+def parse_csv(source: Source) -> Trace:
+    """Return the trace that a text in CSV is; InputFault where it is none."""
     first = source.line_text(1)
     separator = max(SEPARATORS, key=first.count)
     names, units = _header(source, next(csv.reader([first], delimiter=separator), []))

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib.axes import Axes
 
-from fcl_sim.judge.verdict import Band
+from fcl_sim.judge.verdict import Band, Corridor
 from fcl_sim.loop.trace import Values
 from fcl_sim.report import style
 from fcl_sim.report.words import number, one_line
@@ -59,6 +59,19 @@ def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]], height: float) -
         if limits:
             labels.setdefault(sum(limits) / len(limits), []).extend(ids)
     _name_bounds(axes, labels, height)
+
+
+def draw_corridors(axes: Axes, corridors: Sequence[Corridor]) -> None:
+    """Shade what lies between the edges of corridors, and draw them; an edge that is none is not drawn."""
+    bottom, top = axes.get_ylim()
+    for corridor in corridors:
+        time = np.array(corridor.ticks) / 1e9
+        low, high = np.array(corridor.low), np.array(corridor.high)
+        under = np.clip(np.where(np.isnan(low), bottom, low), bottom, top)
+        over = np.clip(np.where(np.isnan(high), top, high), bottom, top)
+        axes.fill_between(time, under, over, color=style.BAND, linewidth=0, zorder=1)
+        for edge in (low, high):
+            axes.plot(time, edge, color=style.BOUND, linewidth=0.7, dashes=(4, 2), zorder=2)
 
 
 def _name_bounds(axes: Axes, labels: Mapping[float, Sequence[str]], height: float) -> None:

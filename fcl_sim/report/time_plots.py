@@ -9,10 +9,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fcl_sim.judge.verdict import Band, Verdict
+from fcl_sim.judge.verdict import Band, Corridor, Verdict
 from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import style
-from fcl_sim.report.bands import draw_bands, draw_violations, focus_on, worth_showing
+from fcl_sim.report.bands import draw_bands, draw_corridors, draw_violations, focus_on, worth_showing
 from fcl_sim.report.frame import draw_frame, room_below, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.stretches import stretches
@@ -164,8 +164,11 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
 def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     bands = _bands(lane, runs)
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
-    axes.set_ylim(lane.focus or _limits([run.trace[lane.signal] for _, run in present], bands))
+    shown = [run.trace[lane.signal] for _, run in present]
+    shown += [edge for each in _corridors(lane, runs) for edge in (np.array(each.low), np.array(each.high))]
+    axes.set_ylim(lane.focus or _limits(shown, bands))
     draw_bands(axes, bands, style.size(axes)[1])
+    draw_corridors(axes, _corridors(lane, runs))
     for index, run in reversed(present):
         _draw_run(axes, lane, run, index, alone=len(runs) == 1)
 
@@ -200,6 +203,12 @@ def _bands(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:
             if verdict.requirement.id not in ids:
                 ids.append(verdict.requirement.id)
     return bands
+
+
+def _corridors(lane: Lane, runs: Sequence[Shown]) -> list[Corridor]:
+    """Return each corridor of a lane's signals once."""
+    asked = (verdict.requirement.corridor for run in runs for verdict in run.verdicts)
+    return list(dict.fromkeys(each for each in asked if each is not None and each.signal in lane.names))
 
 
 def _limits(values: Sequence[Values], bands: Mapping[Band, Sequence[str]]) -> tuple[float, float]:

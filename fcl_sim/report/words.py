@@ -58,9 +58,11 @@ def bracketed(name: str, unit: str) -> str:
 
 
 def bound(requirement: Requirement) -> str:
-    """Return what a requirement asks of its metric: `at most 35 s`, `−1 m to 1 m`; or of its formula."""
+    """Return what a requirement asks of its metric: `at most 35 s`, `−1 m to 1 m`; or what else it asks."""
     if requirement.formula is not None:
         return "the formula holds"
+    if requirement.corridor is not None:
+        return "inside of it"
     low, high, unit = requirement.minimum, requirement.maximum, requirement.unit
     if low is not None and high is not None:
         return (

@@ -9,6 +9,7 @@ from fcl_sim.diagnostics import Source, Span
 from fcl_sim.judge.temporal.formula import Statement
 from fcl_sim.judge.verdict import Relative
 from fcl_sim.loop.diagram import Integration, Timing
+from fcl_sim.loop.trace import Trace
 from fcl_sim.toml.tree import Entry
 
 BASE = "base"
@@ -81,11 +82,20 @@ class Setup:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CorridorText:
+    """A corridor as written: the signal, and the table with its own units."""
+
+    signal: Entry
+    file: Entry
+    table: Trace = field(compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RequirementText:
     """A requirement as written: numbers still have their own units.
 
-    It has either a `statement`, a formula that was read, or a `metric` with all
-    that follows it. `expect` names the runs that are expected to miss it.
+    It has either a `statement`, a formula that was read, or a `corridor`, or a
+    `metric` with all that follows it. `expect` names the runs that are expected to miss it.
     """
 
     id: str
@@ -93,6 +103,7 @@ class RequirementText:
     expect: frozenset[str]
     span: Span = field(compare=False, repr=False)
     statement: Statement | None = None
+    corridor: CorridorText | None = None
     metric: str = ""
     signal: Entry | None = None
     arguments: Entries = field(default_factory=dict)

@@ -35,7 +35,7 @@ def read(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Scenar
     trees, faults = variant_trees(tree)
     reading.note(faults)
     require = tree.get("require")
-    requirements, faults = requirement_texts(require.items if require else (), tuple(trees))
+    requirements, faults = requirement_texts(require.items if require else (), tuple(trees), reading)
     reading.note(faults)
     setups = {name: setup_of(reading, name, each) for name, each in trees.items()}
     if reading.faults:

@@ -10,35 +10,44 @@ from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.metric import RESTART_AT, WINDOW, Argument, Kind, Metric
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Form, Relative, Requirement
+from fcl_sim.scenario.corridors import corridor_of, corridor_text
 from fcl_sim.scenario.formulae import in_units, statement_of
-from fcl_sim.scenario.model import RequirementText
+from fcl_sim.scenario.model import CorridorText, RequirementText
 from fcl_sim.scenario.quantities import converted
+from fcl_sim.scenario.reading import Reading
 from fcl_sim.toml.tree import Entry, finding
 from fcl_sim.units import Unit, parse_unit
 
 SIGNAL = "signal"
+KINDS = ("metric", "formula", "corridor")
+"""What a requirement asks; it has one of them."""
+OF_METRICS = ("relative_to", "min", "max")
+"""What bounds a metric, and nothing else."""
 
 
 def requirement_texts(
-    entries: Sequence[Entry], variants: Sequence[str]
+    entries: Sequence[Entry], variants: Sequence[str], reading: Reading
 ) -> tuple[tuple[RequirementText, ...], list[Diagnostic]]:
     """Return the requirements as written, and what is wrong with them but for their shape.
 
-    `variants` are the names of all runs, the base run's included.
+    `variants` are the names of all runs, the base run's included; `reading`
+    opens the tables of corridors.
     """
     faults: list[Diagnostic] = []
     texts: list[RequirementText] = []
     for entry in entries:
-        text = _text(entry, variants, faults)
+        text = _text(entry, variants, reading, faults)
         if text is not None:
             faults += _twice(text, texts)
             texts.append(text)
     return tuple(texts), faults
 
 
-def _text(entry: Entry, variants: Sequence[str], faults: list[Diagnostic]) -> RequirementText | None:
+def _text(
+    entry: Entry, variants: Sequence[str], reading: Reading, faults: list[Diagnostic]
+) -> RequirementText | None:
     identity, words = entry.get("id"), entry.get("text")
-    metric, formula = entry.get("metric"), entry.get("formula")
+    metric, formula, corridor = (entry.get(name) for name in KINDS)
     faults += _expectation_faults(entry.get("expect"), variants)
     faults += _kind_faults(entry)
     faults += _relative_faults(entry.get("relative_to"), variants)
@@ -46,6 +55,9 @@ def _text(entry: Entry, variants: Sequence[str], faults: list[Diagnostic]) -> Re
     if formula is not None:
         statement = statement_of(formula, faults)
         found = None if statement is None else {"statement": statement}
+    if corridor is not None:
+        limits = corridor_text(reading, corridor, faults)
+        found = None if limits is None else {"corridor": limits}
     if found is None or identity is None or words is None:
         return None
     return RequirementText(
@@ -58,17 +70,20 @@ def _text(entry: Entry, variants: Sequence[str], faults: list[Diagnostic]) -> Re
 
 
 def _kind_faults(entry: Entry) -> Iterator[Diagnostic]:
-    """Yield what is wrong with the choice between a metric and a formula."""
-    metric, formula = entry.get("metric"), entry.get("formula")
-    if metric is None and formula is None:
+    """Yield what is wrong with the choice between a metric, a formula and a corridor."""
+    asked = [name for name in KINDS if entry.get(name) is not None]
+    if not asked:
         hint = 'write metric = { NAME = { signal = ... } } with min or max, or formula = "..."'
-        yield finding("SCN408", "the requirement has neither `metric` nor `formula`", entry.key, hint)
-    elif formula is not None:
-        for name in ("metric", "relative_to", "min", "max"):
-            other = entry.get(name)
-            if other is not None:
-                hint = "a second requirement can have it" if name == "metric" else "compare in the formula"
-                yield finding("SCN408", f"a requirement with a `formula` has no `{name}`", other.key, hint)
+        yield finding("SCN408", "the requirement asks nothing: it has no `metric`", entry.key, hint)
+        return
+    *others, kind = asked
+    for name in (*others, *(OF_METRICS if kind != "metric" else ())):
+        other = entry.get(name)
+        if other is not None:
+            hint = (
+                "a second requirement can have it" if name in KINDS else f"the {kind} says its bounds itself"
+            )
+            yield finding("SCN408", f"a requirement with a `{kind}` has no `{name}`", other.key, hint)
 
 
 def _measured(entry: Entry, metric: Entry, faults: list[Diagnostic]) -> dict[str, Any] | None:
@@ -191,6 +206,8 @@ def requirements_for(
 def _in_units(
     text: RequirementText, variant: str, units: Mapping[str, str], faults: list[Diagnostic]
 ) -> Requirement | None:
+    if text.corridor is not None:
+        return _of_corridor(text, text.corridor, variant, units, faults)
     if text.statement is None:
         return _of_metric(text, variant, units, faults)
     formula = in_units(text.statement, units, faults)
@@ -201,6 +218,26 @@ def _in_units(
         text=text.text,
         formula=formula,
         unit=formula.unit or "",
+        expect_fail=variant in text.expect,
+        span=text.span,
+    )
+
+
+def _of_corridor(
+    text: RequirementText,
+    corridor: CorridorText,
+    variant: str,
+    units: Mapping[str, str],
+    faults: list[Diagnostic],
+) -> Requirement | None:
+    limits = corridor_of(corridor, units, faults)
+    if limits is None:
+        return None
+    return Requirement(
+        id=text.id,
+        text=text.text,
+        corridor=limits,
+        unit=units[limits.signal],
         expect_fail=variant in text.expect,
         span=text.span,
     )

@@ -92,11 +92,18 @@ def _inline(value: Any) -> str:
 
 
 def _requirement(requirement: RequirementText) -> Iterator[str]:
-    asked = _measured(requirement) if requirement.statement is None else requirement.statement.formula
-    yield f"  {requirement.id}: {asked}"
+    yield f"  {requirement.id}: {_asked(requirement)}"
     if requirement.expect:
         yield f"    expected to fail: {', '.join(sorted(requirement.expect))}"
     yield from wrap(requirement.text, WIDTH, initial_indent="    ", subsequent_indent="    ")
+
+
+def _asked(requirement: RequirementText) -> str:
+    if requirement.statement is not None:
+        return requirement.statement.formula
+    if requirement.corridor is not None:
+        return f"{requirement.corridor.signal.value} stays within {requirement.corridor.file.value}"
+    return _measured(requirement)
 
 
 def _measured(requirement: RequirementText) -> str:

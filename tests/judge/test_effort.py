@@ -156,6 +156,7 @@ def test_a_transient_ends_where_a_band_of_that_part_is_settled(signal, part):
 @pytest.mark.parametrize("zero", [0.5, 1.0, 3.0])
 def test_python_control_finds_the_same_undershoot(zero):
     system = control.tf([-zero, 1.0], [1.0, 2.0, 1.0])
-    _, values = control.step_response(system, FINE)
-    theirs = control.step_info(values, T=FINE, yfinal=1.0)["Undershoot"]
-    assert undershoot(FINE, values, final=1.0) == pytest.approx(theirs / 100, abs=1e-9)
+    time = FINE[::100]
+    _, values = control.step_response(system, time)
+    theirs = control.step_info(values, T=time, yfinal=1.0)["Undershoot"]
+    assert undershoot(time, values, final=1.0) == pytest.approx(theirs / 100, abs=1e-9)

@@ -32,7 +32,7 @@ def test_a_formula_is_there_with_its_signals_and_its_robustness(tmp_path):
     made = json.loads(text([outcome(tmp_path, run(tmp_path, verdicts=(judged,)))]))
     (asked,) = made["scenarios"][0]["variants"][0]["requirements"]
     assert asked["formula"] == "never crane.sway > 3 deg; that is: always (not (crane.sway > 3 deg))"
-    assert (asked["metric"], asked["signal"], asked["signals"]) == (None, None, ["crane.sway"])
+    assert (asked["metric"], asked["signal"], asked["signals"]) == (None, "crane.sway", ["crane.sway"])
     assert (asked["value"], asked["unit"]) == (0.5, "deg")
 
 

@@ -1,6 +1,7 @@
 """Time plots: every signal once, bands and violations where they belong, nothing cut."""
 
 import itertools
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -8,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fcl_sim.judge.verdict import Band, Status
+from fcl_sim.judge.verdict import Band, Corridor, Status
 from fcl_sim.report.bands import apart, focus_on
 from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
-from tests.report.synthetic import EVIL, LONG, of_formula, trace, verdict, verdicts
+from tests.report.synthetic import EVIL, LONG, of_formula, requirement, trace, verdict, verdicts
 
 
 def shown(kind: str = "settles", label: str = "base", **given) -> Shown:
@@ -133,6 +134,19 @@ def test_a_violated_formula_is_shaded_in_all_of_its_signals():
     run = shown(verdicts=(missed,))
     assert [lane.signal for lane in lanes(run) if lane.judged] == ["crane.distance", "crane.sway"]
     assert patches(figure(run), VIOLATION).count((20.0, 25.0)) == 2
+
+
+def test_a_corridor_is_drawn_with_its_edges_whole():
+    corridor = Corridor(
+        name="k.csv", signal="crane.sway", ticks=(0, 60_000_000_000), low=(-40.0, -1.0), high=(math.nan,) * 2
+    )
+    asked = requirement(metric="", signal="", corridor=corridor, maximum=None)
+    judged = replace(verdict(), requirement=asked, band=None)
+    run = shown(verdicts=(judged,))
+    (lane,) = [each for each in lanes(run) if each.judged]
+    (axes,) = time_plot([run], [lane]).axes
+    assert axes.get_ylim()[0] < -40.0
+    assert [0.0, 60.0] in [line.get_xdata().tolist() for line in axes.lines]
 
 
 def test_scans_without_an_active_rule_are_hatched_on_the_output_alone():

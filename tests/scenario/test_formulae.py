@@ -1,5 +1,7 @@
 """Formulae in a scenario: read, shown, put into the units of the run, and faulted where they stand."""
 
+import math
+
 import pytest
 
 from fcl_sim.scenario.show import show_scenario
@@ -70,12 +72,12 @@ scenarios/crane/transfer.toml:70:1: error[SCN408]: a requirement with a `formula
 scenarios/crane/transfer.toml:71:1: error[SCN408]: a requirement with a `formula` has no `max`
   71 | max    = "9 deg"
      | ^^^
-  hint: compare in the formula""",
+  hint: the formula says its bounds itself""",
     ),
     "neither": (
         "",
         """\
-scenarios/crane/transfer.toml:66:3: error[SCN408]: the requirement has neither `metric` nor `formula`
+scenarios/crane/transfer.toml:66:3: error[SCN408]: the requirement asks nothing: it has no `metric`
   66 | [[require]]
      |   ^^^^^^^
   hint: write metric = { NAME = { signal = ... } } with min or max, or formula = "...\"""",
@@ -164,4 +166,44 @@ def test_a_ratio_has_no_unit_and_a_difference_that_of_the_metric(bench):
 )
 def test_a_slip_in_a_comparison_is_told(bench, edit, told):
     with_formula(bench, RELATIVE.replace(*edit))
+    assert told in bench.fault()
+
+
+CORRIDOR = 'corridor = { signal = "crane.sway", file = "corridor.csv" }\n'
+TABLE = "time [s],low [deg],high [rad]\n0,-9,0.5\n60,,0.25\n"
+
+
+def with_corridor(bench, table, text=CORRIDOR):
+    (bench.folder / "scenarios/crane/corridor.csv").write_text(table, "utf-8")
+    with_formula(bench, text)
+
+
+def test_a_corridor_is_read_from_its_table_in_the_unit_of_the_signal(bench):
+    with_corridor(bench, TABLE)
+    scenario = bench.read()
+    asked = prepare(scenario)[0].requirements[3]
+    assert (asked.unit, asked.signals, asked.corridor.ticks) == ("deg", ("crane.sway",), (0, 60_000_000_000))
+    assert asked.corridor.low == pytest.approx((-9.0, math.nan), nan_ok=True)
+    assert asked.corridor.high == pytest.approx((math.degrees(0.5), math.degrees(0.25)))
+    assert "  CR-4: crane.sway stays within corridor.csv\n" in show_scenario(scenario)
+    assert [each.name for each in scenario.files if each.role == "corridor"] == [
+        "scenarios/crane/corridor.csv"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("table", "text", "told"),
+    [
+        ("time [s],lower [deg]\n0,1\n", CORRIDOR, "corridor.csv` has a column `lower`"),
+        ("time [s],low [deg]\n", CORRIDOR, "corridor.csv` has no rows, or no edges"),
+        ("time [s],low [deg]\n0,x\n", CORRIDOR, "corridor.csv:2:1: error[JDG303]: `x` is no number"),
+        ("time [s],low [m]\n0,1\n", CORRIDOR, "`crane.sway` is in deg, and `low` of its corridor is in m"),
+        (TABLE, CORRIDOR.replace("sway", "swey"), "there is no signal called `crane.swey`"),
+        (TABLE, CORRIDOR.replace("corridor.csv", "coridor.csv"), "did you mean `corridor.csv`?"),
+        (TABLE, CORRIDOR + 'max = "3 deg"\n', "error[SCN408]: a requirement with a `corridor` has no `max`"),
+        (TABLE, CORRIDOR.replace(', file = "corridor.csv"', ""), "error[SCN202]: `corridor` has no `file`"),
+    ],
+)
+def test_a_slip_in_a_corridor_is_told(bench, table, text, told):
+    with_corridor(bench, table, text)
     assert told in bench.fault()
