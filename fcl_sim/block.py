@@ -18,7 +18,7 @@ from fcl_sim.engine.narrow import narrowed
 from fcl_sim.engine.precision import PRECISIONS, REAL
 from fcl_sim.engine.program import Program
 from fcl_sim.fcl import Reading, read, read_file
-from fcl_sim.model import FunctionBlock
+from fcl_sim.model import DataType, FunctionBlock
 
 ARITHMETICS = tuple(PRECISIONS)
 """The arithmetics in which an instance can compute."""
@@ -49,6 +49,12 @@ class Block:
     def outputs(self) -> tuple[str, ...]:
         """Names of the outputs, in the order of their declaration."""
         return self.program.output_names
+
+    @property
+    def declared_arithmetic(self) -> str:
+        """The arithmetic of its data types (S36): REAL where there is REAL and no LREAL, else LREAL."""
+        types = {each.type for each in (*self.function_block.inputs, *self.function_block.outputs)}
+        return "REAL" if DataType.REAL in types and DataType.LREAL not in types else "LREAL"
 
     def __repr__(self) -> str:
         return f"<Block {self.name}: {', '.join(self.inputs)} -> {', '.join(self.outputs)}>"

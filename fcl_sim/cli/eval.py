@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from fcl_sim.block import load
+from fcl_sim.block import ARITHMETICS, load
 from fcl_sim.engine.explain import Explanation, Origin
 from fcl_sim.engine.explain_text import explanation_text
 from fcl_sim.units import short
@@ -26,6 +26,13 @@ REMARKS = {
 @click.argument("file", metavar="FILE.fcl", type=click.Path(path_type=Path))
 @click.argument("assignments", metavar="[NAME=NUMBER]...", nargs=-1)
 @click.option("--block", metavar="NAME", help="Which function block, where the file has several.")
+@click.option(
+    "--arithmetic",
+    type=click.Choice(ARITHMETICS),
+    default="LREAL",
+    show_default=True,
+    help="What it computes in: binary64, or binary32 as with REAL on a PLC.",
+)
 @click.option("--explain", is_flag=True, help="Show every step of the inference.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
 @click.option(
@@ -34,11 +41,12 @@ REMARKS = {
     metavar="OUT",
     help="Draw every step of the inference into OUT.png, OUT.svg or OUT.pdf.",
 )
-def command(
+def command(  # noqa: PLR0913  an option each
     *,
     file: Path,
     assignments: tuple[str, ...],
     block: str | None,
+    arithmetic: str,
     explain: bool,
     as_json: bool,
     figure: Path | None,
@@ -51,16 +59,19 @@ def command(
     loaded = load(file, block)
     values = _values(assignments)
     try:
-        loaded.evaluate(values)
+        loaded.evaluate(values, arithmetic=arithmetic)
     except (TypeError, ValueError) as error:  # unknown, missing or not finite, as it says
         raise click.UsageError(str(error)) from None
-    explanation = loaded.explain(**values)
+    explanation = loaded.instance(arithmetic).explain(**values)
     if figure is not None:
         # Loads matplotlib and typst, which an evaluation does without.
         import_module("fcl_sim.cli.figure").write(loaded.function_block, explanation, file, figure)
         click.echo(f"written: {figure}", err=True)
     if as_json:
-        click.echo(json.dumps(_document(explanation, values, whole=explain), indent=2, ensure_ascii=False))
+        document = _document(explanation, values, arithmetic)
+        if explain:
+            document["explanation"] = asdict(explanation)
+        click.echo(json.dumps(document, indent=2, ensure_ascii=False))
     elif explain:
         click.echo(explanation_text(explanation))
     else:
@@ -85,13 +96,13 @@ def _values(assignments: tuple[str, ...]) -> dict[str, float]:
     return values
 
 
-def _document(explanation: Explanation, values: dict[str, float], *, whole: bool) -> dict[str, Any]:
-    document: dict[str, Any] = {
+def _document(explanation: Explanation, values: dict[str, float], arithmetic: str) -> dict[str, Any]:
+    return {
         "schema": SCHEMA,
         "block": explanation.name,
+        "arithmetic": arithmetic,
         "inputs": values,
         "outputs": {each.variable: each.value for each in explanation.defuzzified},
         "active": {each.variable: each.origin is Origin.RULES for each in explanation.defuzzified},
         "degrees": {each.rule: each.degree for each in explanation.aggregated},
     }
-    return document | {"explanation": asdict(explanation)} if whole else document

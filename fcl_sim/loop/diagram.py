@@ -6,6 +6,7 @@ from typing import Any
 
 from fcl_sim.block import Block
 from fcl_sim.diagnostics import Span
+from fcl_sim.engine.program import Program
 from fcl_sim.plant.catalog import PlantModel
 
 
@@ -39,13 +40,27 @@ class Node:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FuzzyNode:
-    """A fuzzy function block; `units` gives a unit to each of its variables (FCL has none)."""
+    """A fuzzy function block; `units` gives a unit to each of its variables (FCL has none).
+
+    `arithmetic` is what it computes in, LREAL or REAL.
+    """
 
     name: str
     block: Block
     inputs: Mapping[str, Wire]
     units: Mapping[str, str] = field(default_factory=dict)
+    arithmetic: str = "LREAL"
     span: Span | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def program(self) -> Program:
+        """The block's program in its arithmetic."""
+        return self.block.program_in(self.arithmetic)
+
+    @property
+    def in_real(self) -> bool:
+        """Whether it computes in binary32."""
+        return self.arithmetic == "REAL"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,11 +11,11 @@ from collections.abc import Callable
 from fcl_sim.jit import Entry, F, I, entry, f8, function_type, i8, inlined, signature, u, void
 from fcl_sim.loop.blocks import calculation, controllers, delays, dynamics, nonlinear, routing, sources
 from fcl_sim.loop.blocks.differentiator import differentiate
-from fcl_sim.loop.blocks.fuzzy import evaluate
+from fcl_sim.loop.blocks.fuzzy import INSTANCE, Fuzzy, Singles
 from fcl_sim.loop.blocks.integrator import integrate
 from fcl_sim.loop.blocks.limiter import limit
 from fcl_sim.loop.blocks.linear import gain, weighted_sum
-from fcl_sim.loop.layout import KEEPS, KEEPS_AT, OPCODE, ROW_LENGTH, ROWS_END
+from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, KEEPS, KEEPS_AT, OPCODE, ROW_LENGTH, ROWS_END
 from fcl_sim.loop.row import Row
 from fcl_sim.loop.work import Floats, Ints
 
@@ -31,7 +31,9 @@ FAMILY_SHIFT, CODE_MASK = 5, 31
 
 
 @inlined
-def execute(row: Row, further: Further) -> int:
+def execute(
+    row: Row, further: Further, long: Fuzzy, real: Fuzzy, constants: Singles, singles: Singles
+) -> int:
     """Execute the block rows from `row` on; return where the rows end.
 
     A block in Python ends it before: then it is where that block's row begins.
@@ -48,7 +50,10 @@ def execute(row: Row, further: Further) -> int:
         elif opcode == 2:
             differentiate(here)
         elif opcode == 3:
-            evaluate(ints, floats, memory, at)
+            if ints[u(at + FIRST_INPUT + ints[u(at + INPUTS)] + INSTANCE)] < 0:
+                long(ints, floats, memory, constants, singles, at)
+            else:
+                real(ints, floats, memory, constants, singles, at)
         elif opcode == 4:
             limit(here)
         elif opcode == 5:

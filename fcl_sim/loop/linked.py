@@ -4,15 +4,21 @@ from functools import lru_cache
 from typing import Protocol
 
 from fcl_sim.jit import Entry, entry, links_type, new_links, signature
+from fcl_sim.loop.blocks.fuzzy import FUZZY_TYPE, Fuzzy
 from fcl_sim.loop.execute import FURTHER_TYPE, Further
 from fcl_sim.plant.functions import FUNCTION_TYPES, PARTS, PlantFunction, PlantFunctions
 
-LINKED = links_type(**dict(zip(PARTS, FUNCTION_TYPES, strict=True)), further=FURTHER_TYPE)
+_PLANT = dict(zip(PARTS, FUNCTION_TYPES, strict=True))
+
+LINKED = links_type(**_PLANT, further=FURTHER_TYPE, long=FUZZY_TYPE, real=FUZZY_TYPE)
 """Signature part of `Linked`."""
 
 
 class Linked(Protocol):
-    """A plant's functions, and the one that executes block rows of the further families."""
+    """A plant's functions, the one that executes block rows of the further families, and fuzzy blocks.
+
+    `long` calls those in LREAL, `real` those in REAL.
+    """
 
     dynamics: PlantFunction
     outputs: PlantFunction
@@ -20,9 +26,11 @@ class Linked(Protocol):
     transition: PlantFunction
     sample: PlantFunction
     further: Further
+    long: Fuzzy
+    real: Fuzzy
 
 
-@entry(signature(LINKED, *FUNCTION_TYPES, FURTHER_TYPE))
+@entry(signature(LINKED, *FUNCTION_TYPES, FURTHER_TYPE, FUZZY_TYPE, FUZZY_TYPE))
 def link(
     dynamics: PlantFunction,
     outputs: PlantFunction,
@@ -30,6 +38,8 @@ def link(
     transition: PlantFunction,
     sample: PlantFunction,
     further: Further,
+    long: Fuzzy,
+    real: Fuzzy,
 ) -> Linked:
     """Return the functions as one object."""
     functions: Linked = new_links(LINKED)
@@ -39,14 +49,16 @@ def link(
     functions.transition = transition
     functions.sample = sample
     functions.further = further
+    functions.long = long
+    functions.real = real
     return functions
 
 
 @lru_cache(maxsize=32)
-def linked(plant: PlantFunctions, further: Entry) -> Linked:
-    """Return the compiled functions of a plant, and `further`, as one object.
+def linked(plant: PlantFunctions, further: Entry, long: Entry, real: Entry) -> Linked:
+    """Return the compiled functions of a plant, and the others, as one object.
 
     InputFault for plant code that cannot be compiled.
     """
-    functions: Linked = link(*plant.ready(), further.compile())
+    functions: Linked = link(*plant.ready(), *(each.compile() for each in (further, long, real)))
     return functions

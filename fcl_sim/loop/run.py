@@ -55,18 +55,19 @@ def proceed(tape: Tape, state: RunState, record: Values, until: int | None = Non
     last = scans if until is None else min(until, scans)
     if state.over:
         return
-    functions = linked(tape.wiring.diagram.plant.model.functions, tape.further)
-    buffers = (tape.ints, tape.floats, state.memory, state.x, tape.p, state.progress, state.rows)
+    functions = linked(tape.wiring.diagram.plant.model.functions, tape.further, *tape.fuzzy)
+    views = (tape.floats.view(np.float32), state.memory.view(np.float32))
+    buffers = (tape.ints, tape.floats, state.memory, *views, state.x, tape.p, state.progress, state.rows)
     while simulate(functions, *buffers, tape.starts, record, last) == layout.OUTSIDE:
         execute_outside(tape, state)
 
 
 def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:
     """Return the trace of the scans that were run, all of them recorded in `record`."""
-    return _trace(tape, record[: state.progress[SAMPLES]], state.progress)
+    return _trace(tape, record[: state.progress[SAMPLES]], state.progress, state.memory)
 
 
-def _trace(tape: Tape, record: Values, progress: Ints) -> Trace:
+def _trace(tape: Tape, record: Values, progress: Ints, memory: Values) -> Trace:
     wiring = tape.wiring
     names = tuple(wiring.units)
     values = np.empty((record.shape[0], len(names)))
@@ -83,7 +84,7 @@ def _trace(tape: Tape, record: Values, progress: Ints) -> Trace:
         units={name: unit.symbol for name, unit in wiring.units.items()},
         values=values,
         fuzzy=fuzzy,
-        fault=_fault(tape, progress),
+        fault=_fault(tape, progress, memory),
     )
 
 
@@ -102,7 +103,7 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
     )
 
 
-def _fault(tape: Tape, progress: Ints) -> Fault | None:
+def _fault(tape: Tape, progress: Ints, memory: Values) -> Fault | None:
     status, samples, index = (int(progress[word]) for word in (STATUS, SAMPLES, INDEX))
     if status == layout.FINISHED:
         return None
@@ -110,10 +111,23 @@ def _fault(tape: Tape, progress: Ints) -> Fault | None:
     prefix = tape.wiring.diagram.plant.name
     if status == layout.NOT_FINITE:
         name = next(name for name, slot in tape.slots.items() if slot == index)
-        return Fault(int(tape.starts[samples]), name, f"`{name}` {REASONS[status]}")
+        tick = int(tape.starts[samples])
+        if name in tape.instances:
+            return _beyond_real(tape, name, memory, tick)
+        return Fault(tick, name, f"`{name}` {REASONS[status]}")
     tick = int(tape.starts[max(0, samples - 1)])
     if status == layout.CHATTERS:
         name = declaration.events[index].name
         return Fault(tick, f"{prefix}.{name}", f"the event `{name}` of `{prefix}` {REASONS[status]}")
     name = declaration.states[index].name
     return Fault(tick, f"{prefix}.{name}", f"the state `{name}` of `{prefix}` {REASONS[status]}")
+
+
+def _beyond_real(tape: Tape, name: str, memory: Values, tick: int) -> Fault:
+    """Return the fault of a fuzzy block in REAL with an input that binary32 cannot hold."""
+    node = next(each for each in tape.wiring.order if each.name == name and isinstance(each, FuzzyNode))
+    inputs = node.block.program.input_names
+    values = memory[tape.instances[name] :]
+    port = next(port for port, value in zip(inputs, values, strict=False) if not np.isfinite(value))
+    source = tape.wiring.resolve(node.inputs[port]).source
+    return Fault(tick, source, f"`{source}` exceeds what `{name}.{port}` can hold: it is REAL")

@@ -4,7 +4,8 @@ from math import isfinite
 
 import numpy as np
 
-from fcl_sim.jit import FF, F, I, entry, i8, inlined, signature, u
+from fcl_sim.jit import F4, FF, F, I, entry, i8, inlined, signature, u
+from fcl_sim.loop.blocks.fuzzy import Singles
 from fcl_sim.loop.events import rearm
 from fcl_sim.loop.execute import execute
 from fcl_sim.loop.integrate import advance
@@ -111,12 +112,14 @@ def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: in
     return True
 
 
-@entry(signature(i8, LINKED, I, F, F, F, F, I, F, I, FF, i8))
+@entry(signature(i8, LINKED, I, F, F, F4, F4, F, F, I, F, I, FF, i8))
 def simulate(
     functions: Linked,
     ints: Ints,
     floats: Floats,
     memory: Floats,
+    constants: Singles,
+    singles: Singles,
     x: Floats,
     p: Floats,
     progress: Ints,
@@ -128,7 +131,8 @@ def simulate(
     """Run a tape from where `progress` stands to the beginning of scan `until`; return the status.
 
     x (states,), `memory`, `progress` (PROGRESS,) and `rows` are the state of a
-    run (`loop.state`), taken up and left. `starts` (scans + 1,) holds the
+    run (`loop.state`), taken up and left; `constants` and `singles` are
+    `floats` and `memory` as binary32 (`loop.blocks.fuzzy`). `starts` (scans + 1,) holds the
     nanosecond at which each scan reads its inputs, the end included; of
     `record` (scans + 1, columns) the scans that are run are filled. Status
     OUTSIDE asks for the block whose row is `index`, and to be called again.
@@ -138,8 +142,7 @@ def simulate(
     held = memory[first_input : first_input + ints[u(PLANT_INPUTS)]]
     states, count = ints[u(STATES)], ints[u(EVENTS)]
     nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
-    dx, trial = np.zeros(states), np.zeros(states)
-    g0, g1 = np.zeros(count), np.zeros(count)
+    dx, trial, g0, g1 = np.zeros(states), np.zeros(states), np.zeros(count), np.zeros(count)
     plant = Plant(functions.dynamics, functions.events, functions.transition)
     outputs, sample, further = functions.outputs, functions.sample, functions.further
     work = Work(ints, floats, x, held, p, progress, rows, dx, trial, g0, g1)
@@ -156,7 +159,8 @@ def simulate(
             at = ints[u(ROWS_AT)]
         late = ints[u(MEASURED)] == 1 and scan > 0
         cycle = (start - starts[u(scan - 1)]) / 1e9 if late else nominal
-        at = execute(Row(ints, floats, memory, at, cycle, start / 1e9, scan), further)
+        here = Row(ints, floats, memory, at, cycle, start / 1e9, scan)
+        at = execute(here, further, functions.long, functions.real, constants, singles)
         if at != ints[u(ROWS_END)]:
             progress[u(ROW)] = at + ints[u(at + ROW_LENGTH)]
             progress[u(INDEX)] = at

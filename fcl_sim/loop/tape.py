@@ -5,9 +5,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from fcl_sim.engine.program import Floats as Constants
 from fcl_sim.jit import Entry
 from fcl_sim.loop import layout
 from fcl_sim.loop.blocks import OPCODES
+from fcl_sim.loop.blocks.fuzzy import fuzzy_for
 from fcl_sim.loop.clock import scan_starts
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node
 from fcl_sim.loop.execute import further_for
@@ -28,7 +30,8 @@ class Tape:
     `slots` says where each signal stands in memory; `segments` which stretches
     of memory (first slot, length) make the columns of the record; `instances`
     where the memory of each fuzzy block begins. `further` executes the rows that
-    the loop does not; `outside` are the blocks in Python.
+    the loop does not, `fuzzy` the fuzzy blocks in LREAL, and those in REAL;
+    `outside` are the blocks in Python.
     """
 
     wiring: Wiring
@@ -42,6 +45,7 @@ class Tape:
     segments: tuple[tuple[int, int], ...]
     instances: Mapping[str, int]
     further: Entry
+    fuzzy: tuple[Entry, Entry]
     outside: Mapping[str, Outside]
 
     def column(self, slot: int) -> int:
@@ -85,11 +89,14 @@ def lower(wiring: Wiring, run: int = 0) -> Tape:
     buffer = ints.integers()
     for word, value in head.items():
         buffer[word] = value
+    numbers = floats.numbers()
+    for at, singles in rows.singles.items():
+        numbers.view(np.float32)[at : at + singles.size] = singles
     declaration = diagram.plant.model.declaration
     return Tape(
         wiring=wiring,
         ints=buffer,
-        floats=floats.numbers(),
+        floats=numbers,
         memory=_initial_memory(diagram, memory, layouts),
         x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
         p=np.array(
@@ -101,6 +108,7 @@ def lower(wiring: Wiring, run: int = 0) -> Tape:
         segments=segments,
         instances=memory.instances,
         further=further_for(rows.opcodes),
+        fuzzy=fuzzy_for({node.arithmetic for node in wiring.order if isinstance(node, FuzzyNode)}),
         outside=rows.outside,
     )
 
@@ -129,11 +137,12 @@ class _Buffer:
 
 @dataclass(frozen=True, slots=True)
 class _Rows:
-    """What the rows add to the head, the opcodes in them, the blocks in Python."""
+    """What the rows add to the head, the opcodes in them, the blocks in Python, the constants in binary32."""
 
     head: dict[int, int]
     opcodes: list[int]
     outside: dict[str, Outside]
+    singles: dict[int, Constants]
 
 
 def _nodes(wiring: Wiring) -> dict[str, Node]:
@@ -145,17 +154,18 @@ def _share_out(
 ) -> _Memory:
     names = list(diagram.plant.signals)
     names += [name for node in order if isinstance(node, Node) for name in signals_of(node)]
+    names += [node.name for node in order if isinstance(node, FuzzyNode) and node.in_real]
     slots = {name: slot for slot, name in enumerate(names)}
     signals = size = len(names)
     states: dict[str, int] = {}
     instances: dict[str, int] = {}
     for node in order:
         if isinstance(node, FuzzyNode):
-            program = node.block.program
+            program = node.program
             instances[node.name] = size
             for index, name in enumerate(signals_of(node)):
                 slots[name] = size + program.outputs_at + index
-            size += program.size
+            size += program.recorded + -(-program.size // 2) if node.in_real else program.size
         else:
             states[node.name] = size
             size += len(layouts[node.name].initial)
@@ -204,10 +214,16 @@ def _row_words(
     wiring: Wiring, memory: _Memory, layouts: Mapping[str, NodeLayout], ints: _Buffer, floats: _Buffer
 ) -> _Rows:
     programs: dict[int, int] = {}
+    singles: dict[int, Constants] = {}
     for node in wiring.order:
-        if isinstance(node, FuzzyNode) and id(node.block.program) not in programs:
-            program = node.block.program
-            programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
+        if isinstance(node, FuzzyNode) and id(node.program) not in programs:
+            program = node.program
+            if node.in_real:
+                at = floats.append([0.0] * -(-program.floats.size // 2))
+                singles[2 * at] = program.floats
+                programs[id(program)] = ints.append(program.placed(2 * at))
+            else:
+                programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
     rows_at = len(ints)
     opcodes, outside = [], {}
     for node in wiring.order:
@@ -215,7 +231,9 @@ def _row_words(
             opcode, state = OPCODES["fuzzy"], memory.instances[node.name]
             wires = [wiring.resolve(node.inputs[port]) for port in node.block.program.input_names]
             inputs = [memory.slots[each.source] for each in wires]
-            words: Sequence[int] = [programs[id(node.block.program)]]
+            words: Sequence[int] = [programs[id(node.program)], -1, -1]
+            if node.in_real:
+                words = [words[0], 2 * (state + node.program.recorded), memory.slots[node.name]]
             numbers: Sequence[float] = [each.sign for each in wires]
         else:
             laid, opcode, state = layouts[node.name], OPCODES[node.type], memory.states[node.name]
@@ -229,7 +247,7 @@ def _row_words(
         ints.append([*row, *inputs, *words])
         opcodes.append(opcode)
     head = {layout.ROWS: len(wiring.order), layout.ROWS_AT: rows_at, layout.ROWS_END: len(ints)}
-    return _Rows(head, opcodes, outside)
+    return _Rows(head, opcodes, outside, singles)
 
 
 def _keep_words(
@@ -265,8 +283,13 @@ def _initial_memory(diagram: Diagram, memory: _Memory, layouts: Mapping[str, Nod
         initial[memory.slots[f"{plant.name}.{each.name}"]] = each.start
     for node in diagram.nodes:
         if isinstance(node, FuzzyNode):
-            at = memory.instances[node.name]
-            initial[at : at + node.block.program.size] = node.block.program.initial
+            at, program = memory.instances[node.name], node.program
+            if node.in_real:
+                initial[at : at + program.recorded] = program.initial[: program.recorded]
+                at += program.recorded
+                initial.view(np.float32)[2 * at : 2 * at + program.size] = program.initial
+            else:
+                initial[at : at + program.size] = program.initial
         else:
             at, own = memory.states[node.name], layouts[node.name].initial
             initial[at : at + len(own)] = own

@@ -13,7 +13,7 @@ from fcl_sim.model import Defuzzification, RuleBlock
 from fcl_sim.report import characteristics, pictures, summary
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of, rule_base
-from fcl_sim.report.results import ARITHMETIC, versions
+from fcl_sim.report.results import versions
 from fcl_sim.report.setting import differences, milliseconds, parameters, starts
 from fcl_sim.report.words import (
     bound,
@@ -29,6 +29,9 @@ from fcl_sim.report.words import (
 from fcl_sim.testbench import Outcome, Run
 
 Data = dict[str, Any]
+
+FORMATS = {"LREAL": "LREAL, IEC 60559 binary64", "REAL": "REAL, IEC 60559 binary32"}
+"""Arithmetics of fuzzy blocks, in words."""
 MOST_ENTRIES = 60
 """Lines of the contents; where there would be more, they name sections of the first order alone."""
 
@@ -95,9 +98,21 @@ def _provenance(outcomes: Sequence[Outcome]) -> list[Data]:
         rows.append(_fact(f"{role.capitalize()}{'s' if len(mine) > 1 else ''}, SHA-256", *lines, mono=True))
     scans = {run.diagram.timing.scan for outcome in outcomes for run in outcome.variants.values()}
     rows.append(_fact("Scan", joined([milliseconds(scan) for scan in sorted(scans)])))
-    rows.append(_fact("Arithmetic", f"{ARITHMETIC}, IEC 60559 binary64"))
+    rows += [_fact("Arithmetic", *lines) for lines in [_arithmetics(outcomes)] if lines]
     rows.append(_fact("Versions", ", ".join(f"{name} {each}" for name, each in versions().items())))
     return rows
+
+
+def _arithmetics(outcomes: Sequence[Outcome]) -> list[str]:
+    """Return what the fuzzy blocks computed in, each arithmetic with its blocks where there are several."""
+    blocks: dict[str, dict[str, None]] = {}
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            for node in fuzzy_nodes(run):
+                blocks.setdefault(node.arithmetic, {})[node.block.function_block.name] = None
+    if len(blocks) < 2:
+        return [FORMATS[each] for each in blocks]
+    return [f"{FORMATS[each]}: {joined(list(blocks[each]))}" for each in FORMATS if each in blocks]
 
 
 def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:

@@ -105,7 +105,11 @@ def _run(run: Run) -> Json:
             "start": _finite(diagram.plant.start),
         },
         "rule_bases": [
-            {"block": node.name, "function_block": node.block.function_block.name, "arithmetic": ARITHMETIC}
+            {
+                "block": node.name,
+                "function_block": node.block.function_block.name,
+                "arithmetic": node.arithmetic,
+            }
             for node in fuzzy_nodes(run)
         ],
         "samples": len(run.trace.ticks),
@@ -114,10 +118,6 @@ def _run(run: Run) -> Json:
         else {"time_ns": fault.tick, "signal": fault.signal, "reason": fault.reason},
         "requirements": [_verdict(each) for each in run.verdicts],
     }
-
-
-ARITHMETIC = "LREAL"
-"""What the engine computes in: binary64."""
 
 
 def _verdict(verdict: Verdict) -> Json:

@@ -160,7 +160,16 @@ def _fuzzy_node(name: str, block: Entry, loaded: Block, scope: Scope | None, fau
     wires = {port: _wired(entry, scope, faults) for port, entry in block.table["inputs"].table.items()}
     units = block.get("units")
     declared = {key: str(entry.value) for key, entry in (units.table if units else NOTHING).items()}
-    return FuzzyNode(name=name, block=loaded, inputs=wires, units=declared, span=block.key)
+    chosen = block.get("arithmetic")
+    arithmetic = str(chosen.value) if chosen else loaded.declared_arithmetic
+    try:
+        loaded.program_in(arithmetic)
+    except InputFault as fault:
+        faults += fault.diagnostics
+        arithmetic = "LREAL"
+    return FuzzyNode(
+        name=name, block=loaded, inputs=wires, units=declared, arithmetic=arithmetic, span=block.key
+    )
 
 
 def local_names(setup: Setup) -> Scope:

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 from pydantic import PlainValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from fcl_sim.block import ARITHMETICS
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.verdict import Form
@@ -187,6 +188,7 @@ UnitText = Annotated[Any, PlainValidator(_unit), _schema(TEXT, examples=["m", "d
 WireText = Annotated[
     Any, PlainValidator(_wire), _schema(TEXT, examples=["crane.distance", "-crane.distance"])
 ]
+Arithmetic = choice_of(ARITHMETICS)
 SchemeName = Annotated[
     Any, PlainValidator(lambda value: _choice(value, tuple(SCHEMES))), _schema({}, enum=sorted(SCHEMES))
 ]

@@ -14,6 +14,7 @@ from pydantic import BaseModel, ConfigDict, Field, create_model
 
 from fcl_sim.loop.blocks import BLOCKS, BlockParameter, BlockType
 from fcl_sim.scenario.fields import (
+    Arithmetic,
     Count,
     CycleTime,
     Expectation,
@@ -57,6 +58,7 @@ class FuzzyTable(Table):
     type: Literal["fuzzy"]
     file: Filled = Field(description="FCL file, relative to the file that names it")
     block: Filled = Field(None, description="which FUNCTION_BLOCK, where the file has several")
+    arithmetic: Arithmetic = Field(None, description="what it computes in; by default as it declares")
     units: dict[str, UnitText] = Field({}, description="unit of each variable; FCL has none")
     inputs: dict[str, WireText] = Field(description="for each input of the block, the signal it reads")
 

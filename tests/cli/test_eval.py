@@ -3,6 +3,7 @@ import math
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from tests.house.places import ROOT
@@ -50,6 +51,7 @@ def test_json_has_every_digit_and_every_rule(invoke, three):
     assert document == {
         "schema": 1,
         "block": "three",
+        "arithmetic": "LREAL",
         "inputs": {"distance": 12.0, "angle": 4.0},
         "outputs": {"power": 7.2},
         "active": {"power": True},
@@ -57,6 +59,16 @@ def test_json_has_every_digit_and_every_rule(invoke, three):
     }
     whole = json.loads(invoke("eval", three, "distance=12", "angle=4", "--json", "--explain").stdout)
     assert whole["explanation"]["defuzzified"][0]["value"] == 7.2
+
+
+def test_in_real_every_number_is_one_of_binary32(invoke, three):
+    asked = ("eval", three, "distance=12.1", "angle=4", "--arithmetic", "REAL", "--json")
+    document = json.loads(invoke(*asked, "--explain").stdout)
+    assert document["arithmetic"] == "REAL"
+    for number in (*document["outputs"].values(), *document["degrees"].values()):
+        assert number == float(np.float32(number))
+    told = document["explanation"]["fuzzified"][0]
+    assert told["value"] == float(np.float32(12.1))
 
 
 def test_an_output_without_an_active_rule_says_where_its_value_comes_from(invoke):
