@@ -2,6 +2,7 @@
 
 import numpy as np
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from fcl_sim.judge.temporal.evaluate import HIGH, LOW, POSSIBLE, SURE, evaluate
 from fcl_sim.judge.temporal.formula import Formula, Statement, read
@@ -124,3 +125,16 @@ def test_a_robustness_is_the_margin_of_the_comparison_that_decides(tree, run):
         assert (found.robustness >= 0) == (found.truth is Outcome.HOLDS) or found.robustness == 0
         comparison, scan = found.decided_by
         assert abs(meaning(comparison, scan, run)[0]) == abs(found.robustness)
+
+
+@settings(max_examples=300)
+@given(trees(), traces(), st.data())
+def test_a_sample_that_is_missing_is_told_or_makes_no_difference(tree, run, data):
+    missing = data.draw(st.sets(st.integers(0, len(run.ticks) - 1), min_size=1))
+    values = run.values.copy()
+    values[sorted(missing), data.draw(st.integers(0, 1))] = np.nan
+    whole = Formula(Statement(tree, ""), tree, ("x", "y"), "")
+    found = consider(whole, type(run)(run.ticks, run.names, run.units, values))
+    expected = consider(whole, run)
+    if found.truth is not Outcome.BROKEN:
+        assert (found.truth, found.robustness) == (expected.truth, expected.robustness)

@@ -47,13 +47,13 @@ def looks(course: Course, where: Mask) -> Iterator[Look]:
 
 def _reached(course: Course, where: Mask, *, before: bool = False) -> Mask:
     """Return the scans that the windows of `where` reach; of until's left side, those before their last."""
-    count = len(where)
-    starts = np.flatnonzero(where) if before else course.over.first[where]
-    stops = course.over.last[where] + (0 if before else 1)
-    change = np.bincount(np.minimum(starts, count), minlength=count + 1)
-    change -= np.bincount(
-        np.maximum(np.minimum(stops, count), np.minimum(starts, count)), minlength=count + 1
-    )
+    count, over = len(where), course.over
+    starts, stops = over.first[where], over.last[where] + 1
+    if before:
+        starts, stops = np.flatnonzero(where), np.maximum(starts, stops - 1)
+    starts = np.minimum(starts, count)
+    stops = np.clip(stops, starts, count)
+    change = np.bincount(starts, minlength=count + 1) - np.bincount(stops, minlength=count + 1)
     found: Mask = np.cumsum(change)[:count] > 0
     return found
 
