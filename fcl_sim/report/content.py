@@ -233,6 +233,8 @@ def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
 def _metric_name(requirement: Requirement) -> str:
     if requirement.formula is not None:
         return "robustness"
+    if requirement.corridor is not None:
+        return "corridor"
     name = one_line(requirement.metric.replace("_", " "))
     if requirement.relative_to is None:
         return name

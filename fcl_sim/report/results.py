@@ -13,7 +13,7 @@ from importlib.metadata import version
 from typing import Any
 
 from fcl_sim import __version__
-from fcl_sim.judge.verdict import Band, Relative, Verdict, worst
+from fcl_sim.judge.verdict import Band, Corridor, Relative, Verdict, worst
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
 from fcl_sim.scenario.model import Scenario
@@ -126,9 +126,10 @@ def _verdict(verdict: Verdict) -> Json:
         "id": asked.id,
         "text": asked.text,
         "metric": asked.metric or None,
-        "signal": asked.signal or None,
+        "signal": asked.signals[0] if len(asked.signals) == 1 else None,
         "signals": list(asked.signals),
         "formula": None if asked.formula is None else str(asked.formula),
+        "corridor": _corridor(asked.corridor),
         "arguments": _finite(asked.arguments),
         "restart_at": [_number(each) for each in asked.restart_at],
         "relative_to": _relative(asked.relative_to),
@@ -148,6 +149,17 @@ def _verdict(verdict: Verdict) -> Json:
 
 def _relative(relative: Relative | None) -> Json | None:
     return None if relative is None else {"variant": relative.variant, "as": str(relative.form)}
+
+
+def _corridor(corridor: Corridor | None) -> Json | None:
+    if corridor is None:
+        return None
+    return {
+        "table": corridor.name,
+        "time_s": [each / 1e9 for each in corridor.ticks],
+        "low": [_number(each) for each in corridor.low],
+        "high": [_number(each) for each in corridor.high],
+    }
 
 
 def _band(band: Band | None) -> Json | None:

@@ -116,6 +116,13 @@ RelativeTable = create_model(
 )
 
 
+class CorridorTable(Table):
+    """Limits that change with time, from a table."""
+
+    signal: Filled = Field(description="the signal that stays within")
+    file: Filled = Field(description="CSV with the columns time, low and high, relative to the scenario")
+
+
 class RequirementTable(Table):
     """A bound on a metric of a signal, or a formula that holds."""
 
@@ -123,6 +130,7 @@ class RequirementTable(Table):
     text: Filled = Field(description="the requirement in words, with the reason of an expected miss")
     metric: dict[str, dict[str, Any]] | None = Field(None, description="one metric with its arguments")
     formula: Filled = Field(None, description="temporal formula or sentence, instead of a metric")
+    corridor: CorridorTable | None = Field(None, description="limits over time, instead of a metric")
     relative_to: RelativeTable | None = Field(None, description="bound the metric beside that of a variant")
     min: Quantified = Field(None, description="smallest allowed value")
     max: Quantified = Field(None, description="largest allowed value")
