@@ -61,14 +61,11 @@ def moving_average(row: Row) -> None:
     length, position = word(row, LENGTH), int(recall(row, POSITION))
     filled = min(int(recall(row, FILLED)) + 1, length)
     keep(row, RING + position, read(row, 0))
-    position = position + 1 if position + 1 < length else 0
-    keep(row, POSITION, position)
+    keep(row, POSITION, position + 1 if position + 1 < length else 0)
     keep(row, FILLED, filled)
     total = 0.0
-    at = position if filled == length else 0
-    for _ in range(filled):
-        total += recall(row, RING + at)
-        at = at + 1 if at + 1 < length else 0
+    for i in range(filled):
+        total += recall(row, RING + i)
     write(row, 0, total / filled)
 
 
