@@ -175,6 +175,8 @@ CODES: dict[str, str] = {
     "WIR104": "a block or plant has no such input, parameter or variable",
     "WIR201": "units do not fit",
     "WIR202": "a parameter is outside what is possible",
+    "WIR203": "the formula of a block cannot be calculated",
+    "WIR204": "the file of a block is not a table of signals",
     "WIR301": "blocks wait for each other: an algebraic loop",
     "WIR401": "the times of a loop contradict each other",
 }

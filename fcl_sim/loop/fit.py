@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from fcl_sim.diagnostics import Diagnostic, Place, Span, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.loop.blocks.declaration import BlockParameter, Misfit, UnitRule
+from fcl_sim.loop.blocks.declaration import BlockParameter, Misfit, ToldElsewhere, UnitRule
 from fcl_sim.loop.blocks.setting import Setting
 from fcl_sim.loop.diagram import FuzzyNode, Node, Timing
 from fcl_sim.loop.settings import members_of, outputs_of, quantities_of, resolved, setting_of, type_of
@@ -85,7 +85,7 @@ def _unfit_parameters(node: Node) -> Iterator[Diagnostic]:
 def _told(node: Node, misfits: Iterable[Misfit]) -> Iterator[Diagnostic]:
     for each in misfits:
         place = each.span or _place(node, each.parameter)
-        yield fault("WIR202", f"`{node.name}`: {each.message}", place, each.hint)
+        yield fault(each.code, f"`{node.name}`: {each.message}", place, each.hint)
 
 
 def settle(
@@ -128,6 +128,8 @@ def _output_units(node: Node, given: Mapping[str, Unit], faults: Faults) -> dict
     for name, output in outputs_of(node):
         try:
             units[name] = resolved(output.unit, given, quantities) or parse_unit("")
+        except ToldElsewhere:
+            continue
         except UnitError as error:
             faults.append(fault("WIR201", f"`{node.name}`: {error}", node.span, error.hint))
     return units

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from fcl_sim.diagnostics import Diagnostic
+from fcl_sim.formula.text import Text as Formula
 from fcl_sim.loop.blocks import BLOCKS
 from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType
 from fcl_sim.loop.blocks.setting import Text
@@ -11,6 +12,7 @@ from fcl_sim.loop.diagram import Node, Wire
 from fcl_sim.scenario.fields import is_wire
 from fcl_sim.scenario.model import SourceFile
 from fcl_sim.scenario.quantities import converted
+from fcl_sim.toml.strings import offsets
 from fcl_sim.toml.tree import Entry, finding
 from fcl_sim.units import parse_quantity, parse_unit
 
@@ -57,6 +59,8 @@ def _wires(kind: BlockType, block: Entry, wired: Callable[[Entry], Wire]) -> dic
 
 
 def _value(parameter: BlockParameter, entry: Entry, file: SourceFile | None, faults: Faults) -> Any:
+    if parameter.kind == "formula":
+        return Formula(str(entry.value), entry.span.source, offsets(entry.span, str(entry.value)))
     if parameter.kind == "rows":
         return {name: _row(parameter, row, faults) for name, row in entry.table.items()}
     return _single(parameter, entry, file, faults)

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 
 from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.formula.text import Text
 from fcl_sim.judge.temporal.formula import Formula, Statement, bind, read
-from fcl_sim.judge.temporal.text import Text
 from fcl_sim.toml.strings import offsets
 from fcl_sim.toml.tree import Entry
 

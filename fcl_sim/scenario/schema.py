@@ -186,6 +186,7 @@ PARAMETERS: Mapping[str, Any] = {
     "count": Count,
     "truth": Truth,
     "text": Filled,
+    "formula": Filled,
     "list": list[Quantified],
     "table": list[list[Quantified]],
     "rows": dict[Name, list[Quantified]],

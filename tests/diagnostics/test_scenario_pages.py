@@ -13,7 +13,7 @@ from fcl_sim.scenario.reader import read
 from fcl_sim.testbench import prepare
 
 PAGES = [each for each in pages().values() if each.within in {"scenario", "controller"}]
-UNFRAMED = {"SCN104", "SCN409", "WIR202"}
+UNFRAMED = {"SCN104", "SCN409", "WIR202", "WIR204"}
 """Of what stands on the command line, in a table or in Python."""
 
 SCENARIO = """\

@@ -7,21 +7,10 @@ import numpy as np
 from hypothesis import strategies as st
 
 from fcl_sim.diagnostics import Source, Span
+from fcl_sim.formula.text import plain
+from fcl_sim.formula.tree import Arithmetic, Number, Signal
 from fcl_sim.judge.temporal.formula import Formula, bind, read
-from fcl_sim.judge.temporal.text import plain
-from fcl_sim.judge.temporal.tree import (
-    Arithmetic,
-    Comparison,
-    Edge,
-    Interval,
-    Junction,
-    Not,
-    Number,
-    Signal,
-    Truth,
-    Until,
-    Window,
-)
+from fcl_sim.judge.temporal.tree import Comparison, Edge, Interval, Junction, Not, Truth, Until, Window
 from fcl_sim.loop.trace import Trace
 from fcl_sim.units import Quantity
 

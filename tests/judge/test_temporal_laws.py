@@ -4,9 +4,9 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from fcl_sim.formula.text import plain
 from fcl_sim.judge.temporal.evaluate import HIGH, LOW, POSSIBLE, SURE, evaluate
 from fcl_sim.judge.temporal.formula import Formula, Statement, read
-from fcl_sim.judge.temporal.text import plain
 from fcl_sim.judge.temporal.tree import Edge, Interval, Junction, Not, Truth, Until, Window
 from fcl_sim.judge.temporal.verdict import Truth as Outcome
 from fcl_sim.judge.temporal.verdict import consider

@@ -10,20 +10,9 @@ import warnings
 import numpy as np
 import pytest
 
+from fcl_sim.formula.tree import Arithmetic, Number, Signal
 from fcl_sim.judge.temporal.evaluate import HIGH, LOW, evaluate
-from fcl_sim.judge.temporal.tree import (
-    TO_THE_END,
-    Arithmetic,
-    Comparison,
-    Edge,
-    Interval,
-    Junction,
-    Not,
-    Number,
-    Signal,
-    Until,
-    Window,
-)
+from fcl_sim.judge.temporal.tree import TO_THE_END, Comparison, Edge, Interval, Junction, Not, Until, Window
 from fcl_sim.judge.temporal.verdict import Truth, consider
 from fcl_sim.units import Quantity
 from tests.judge.formulae import LEVELS, RELATIONS, SPAN, STEP, formula, trace

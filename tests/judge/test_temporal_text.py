@@ -5,8 +5,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from fcl_sim.diagnostics import InputFault
+from fcl_sim.formula.text import plain
 from fcl_sim.judge.temporal.formula import bind, read
-from fcl_sim.judge.temporal.text import plain
 from fcl_sim.judge.temporal.tree import signals
 from tests.judge.formulae import formula
 

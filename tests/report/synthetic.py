@@ -9,8 +9,8 @@ import numpy as np
 
 from fcl_sim.block import Block, loads
 from fcl_sim.diagnostics import Source
+from fcl_sim.formula.text import plain
 from fcl_sim.judge.temporal.formula import bind, read
-from fcl_sim.judge.temporal.text import plain
 from fcl_sim.judge.verdict import Band, Requirement, Status, Verdict, worst
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, PlantNode, Timing
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Trace

@@ -1,5 +1,7 @@
 """Blocks in a scenario: each kind of input and parameter, and what is wrong with one, where it stands."""
 
+from pathlib import Path
+
 import pytest
 
 from fcl_sim.diagnostics import Source
@@ -179,6 +181,29 @@ def test_lists_tables_counts_and_parameters_that_are_signals_are_read(trial):
     assert node.parameters["levels"] == (parse_quantity("1 m"), parse_quantity("2 cm"))
     assert node.parameters["curve"][1] == (parse_quantity("1 min"), parse_quantity(2.0))
     assert trial('curve = []\nkp = "2.5"')[0].parameters["kp"] == parse_quantity(2.5)
+
+
+@pytest.mark.usefixtures("scenario")
+def test_a_slip_in_a_formula_is_shown_in_the_scenario(written):
+    told = written(
+        HEAD + 'f = { type = "expression", formula = "d + \\u0032 s", inputs = { d = "crane.distance" } }\n'
+    )
+    assert "error[WIR203]: `f`: `d` is in m, and `2 s` is in s" in told
+    assert "hint: write it in m" in told
+    line = next(each for each in told.splitlines() if "formula =" in each)
+    carets = told.splitlines()[told.splitlines().index(line) + 1]
+    assert line[carets.index("^") : carets.rindex("^") + 1] == "\\u0032 s"
+
+
+@pytest.mark.usefixtures("scenario")
+def test_a_table_is_read_beside_the_scenario_and_its_slips_are_shown_there(scenario, written):
+    row = 'r = { type = "table", file = "r.csv" }\n'
+    Path("scenarios/r.csv").write_text("time [s];x [m]\n0;1,5\n1;2\n", "utf-8")
+    assert "scenarios/r.csv" in scenario(HEAD + row).digests
+    Path("scenarios/r.csv").write_text("time [s];x [m]\n0;1,5\n1;two\n", "utf-8")
+    told = written(HEAD + row)
+    assert "error[WIR204]: `r`: `two` is not a number" in told
+    assert "scenarios/r.csv:3:3" in told
 
 
 def test_rows_are_read_by_name_with_columns_or_of_any_length(trial):

@@ -33,22 +33,9 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from fcl_sim.formula.tree import Arithmetic, Expression, Number, Scaled, Signal
 from fcl_sim.judge.temporal import windows
-from fcl_sim.judge.temporal.tree import (
-    Arithmetic,
-    Comparison,
-    Edge,
-    Expression,
-    Formula,
-    Junction,
-    Not,
-    Number,
-    Scaled,
-    Signal,
-    Truth,
-    Until,
-    Window,
-)
+from fcl_sim.judge.temporal.tree import Comparison, Edge, Formula, Junction, Not, Truth, Until, Window
 from fcl_sim.judge.temporal.windows import Reach
 from fcl_sim.loop.trace import Trace, Values
 

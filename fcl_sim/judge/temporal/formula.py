@@ -4,13 +4,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from fcl_sim.diagnostics import InputFault
+from fcl_sim.formula.text import Text
+from fcl_sim.formula.tokens import Kind, scan
 from fcl_sim.judge.temporal.parse import Parser
 from fcl_sim.judge.temporal.resolve import resolve
 from fcl_sim.judge.temporal.sentences import BEGINNINGS, sentence
-from fcl_sim.judge.temporal.text import Text, fault
-from fcl_sim.judge.temporal.tokens import Kind, scan
 from fcl_sim.judge.temporal.tree import Comparison, Node, parts, signals
 from fcl_sim.judge.temporal.tree import Formula as Tree
+from fcl_sim.judge.temporal.words import BEHIND_NUMBERS, INSTEAD
 from fcl_sim.judge.temporal.write import written
 
 
@@ -49,13 +50,10 @@ class Formula:
 
 def read(text: Text) -> Statement:
     """Return what a text says; InputFault, at its place, where it says nothing."""
-    tokens = scan(text)
+    tokens = scan(text, BEHIND_NUMBERS, INSTEAD)
     parser = Parser(tokens)
     tree = sentence(parser)
-    if parser.next.kind is not Kind.END:
-        hint = "join truths by `and`, `or`, `implies` or `until`"
-        message = f"{parser.next.shown} does not belong here: the formula has ended before it"
-        raise fault("JDG201", message, parser.next.span, hint)
+    parser.ended("join truths by `and`, `or`, `implies` or `until`")
     names = [each.text for each in tokens if each.kind is Kind.NAME]
     in_words = "lasts" in names or (tokens[0].kind is Kind.NAME and tokens[0].text in BEGINNINGS)
     return Statement(tree, " ".join(text.text.split()) if in_words else "")

@@ -5,87 +5,43 @@ binding to the tightest.
 """
 
 from collections.abc import Callable
-from dataclasses import replace
 
-from fcl_sim.diagnostics import Span, nearest
-from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.judge.temporal.text import fault
-from fcl_sim.judge.temporal.tokens import WORDS, Kind, Token
+from fcl_sim.formula.functions import OF_REQUIREMENTS
+from fcl_sim.formula.parse import Parser as ArithmeticParser
+from fcl_sim.formula.text import fault
+from fcl_sim.formula.tokens import Token
+from fcl_sim.formula.tree import Expression, Signal
 from fcl_sim.judge.temporal.tree import (
     TO_THE_END,
-    Arithmetic,
     Comparison,
     Edge,
-    Expression,
     Interval,
     Junction,
     Node,
     Not,
-    Number,
-    Signal,
     Truth,
     Until,
     Window,
 )
 from fcl_sim.judge.temporal.tree import Formula as Tree
+from fcl_sim.judge.temporal.words import WORDS
 from fcl_sim.units import UnitError, nanoseconds
-
-DEEPEST = 30
-LONGEST = 2_000
-"""How many operators may stand within each other, and how many tokens a formula may have."""
 
 LAST_TICK = 2**62
 """No time may lie beyond, so that the sum of two is still a number of the clock."""
 
 WINDOWS = ("always", "eventually")
 EDGES = ("rise", "fall")
-FUNCTIONS = {"abs": 1, "min": 0, "max": 0}
-"""Functions of numbers, each with its number of arguments; 0 for two or more."""
 COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
-RESERVED = frozenset({*WINDOWS, *EDGES, *FUNCTIONS, *WORDS, "true", "false", "end"})
+RESERVED = frozenset({*WINDOWS, *EDGES, *OF_REQUIREMENTS, *WORDS, "true", "false", "end"})
 
 
-class Parser:
-    """A place among tokens."""
+class Parser(ArithmeticParser):
+    """A place among the tokens of a requirement."""
 
-    def __init__(self, tokens: tuple[Token, ...]) -> None:
-        self.tokens = tokens
-        self.at = 0
-        self.depth = 0
-        if len(tokens) > LONGEST:
-            message = f"the formula has more than {LONGEST} words"
-            raise fault("JDG207", message, tokens[LONGEST].span, "make several requirements of it")
-
-    @property
-    def next(self) -> Token:
-        """The token that is looked at."""
-        return self.tokens[self.at]
-
-    def take(self) -> Token:
-        """Return the token that is looked at, and go on."""
-        token = self.next
-        self.at += token.kind is not Kind.END
-        return token
-
-    def sees(self, *texts: str) -> bool:
-        """Return whether one of these words or symbols is next."""
-        return self.next.kind in {Kind.NAME, Kind.SYMBOL} and self.next.text in texts
-
-    def taken(self, *texts: str) -> Token | None:
-        """Return one of these words or symbols and go on, or None."""
-        return self.take() if self.sees(*texts) else None
-
-    def need(self, text: str, where: str, opening: Token | None = None) -> Token:
-        """Return what must come here; a fault where something else does."""
-        token = self.taken(text)
-        if token is None:
-            hint = f"`{opening.text}` is opened before it and not closed" if opening else ""
-            raise self.unexpected(f"`{text}` is missing {where}".rstrip(), hint)
-        return token
-
-    def unexpected(self, message: str, hint: str = "") -> Exception:
-        """Return the fault of the token that is looked at."""
-        return fault("JDG201", f"{message}, before {self.next.shown}", self.next.span, hint)
+    functions = OF_REQUIREMENTS
+    calls = (*EDGES, *WINDOWS)
+    instead_of_much = "make several requirements of it"
 
     def formula(self) -> Tree:
         """Parse a truth."""
@@ -100,7 +56,7 @@ class Parser:
         word = self.taken("implies")
         if word is None:
             return left
-        right = self._deeper(self.expression)
+        right = self.deeper(self.expression)
         return _junction(word, left, right)
 
     def disjunction(self) -> Node:
@@ -115,7 +71,7 @@ class Parser:
         found, count = part(), 0
         while word := self.taken(symbol):
             count += 1
-            found = _junction(word, found, self._deeper(part, count))
+            found = _junction(word, found, self.deeper(part, count))
         return found
 
     def promise(self) -> Node:
@@ -124,7 +80,7 @@ class Parser:
         if not self.taken("until"):
             return left
         interval = self.interval()
-        right = self._deeper(self.unary)
+        right = self.deeper(self.unary)
         return Until(interval, truth(left, "`until`"), truth(right, "`until`"), left.span.to(right.span))
 
     def unary(self) -> Node:
@@ -138,11 +94,11 @@ class Parser:
             return self.comparison()
         if word.text in EDGES:
             opening = self.need("(", f"after `{word.text}`")
-            inner = truth(self._deeper(self.expression), f"what `{word.text}` takes")
+            inner = truth(self.deeper(self.expression), f"what `{word.text}` takes")
             closing = self.need(")", "", opening)
             return Edge(word.text, inner, word.span.to(closing.span))
         interval = TO_THE_END if word.text == "not" else self.interval()
-        operand = truth(self._deeper(self.unary), f"what follows `{word.text}`")
+        operand = truth(self.deeper(self.unary), f"what follows `{word.text}`")
         span = word.span.to(operand.span)
         return Not(operand, span) if word.text == "not" else Window(word.text, interval, operand, span)
 
@@ -184,94 +140,28 @@ class Parser:
         found: Tree | None = None
         while relation := self.taken(*COMPARISONS):
             low = number(left, f"`{relation.text}`")
-            right = number(self._deeper(self.sum), f"`{relation.text}`")
+            right = number(self.deeper(self.sum), f"`{relation.text}`")
             each = Comparison(relation.text, low, right, left.span.to(right.span))
             found = each if found is None else Junction("and", found, each, found.span.to(each.span))
             left = right
         return left if found is None else found
 
-    def sum(self) -> Node:
-        """Parse: sum = product { ( "+" | "-" ) product } ."""
-        return self._chain(("+", "-"), self.product)
+    def inner(self) -> Node:
+        """Parse what may stand in parentheses: inner = formula ."""
+        return self.expression()
 
-    def product(self) -> Node:
-        """Parse: product = factor { ( "*" | "/" ) factor } ."""
-        return self._chain(("*", "/"), self.factor)
+    def number(self, found: Node, where: str) -> Expression:
+        """Return a node that is a number; a fault where it is a truth."""
+        return number(found, where)
 
-    def _chain(self, symbols: tuple[str, ...], part: Callable[[], Node]) -> Node:
-        found, count = part(), 0
-        while symbol := self.taken(*symbols):
-            count += 1
-            left = number(found, f"`{symbol.text}`")
-            right = number(self._deeper(part, count), f"`{symbol.text}`")
-            found = Arithmetic(symbol.text, (left, right), left.span.to(right.span))
-        return found
-
-    def factor(self) -> Node:
-        """Parse the smallest parts.
-
-        factor = "-" factor | quantity | signal | "true" | "false"
-               | function "(" sum { "," sum } ")" | "(" formula ")"
-        """
-        token = self.take()
-        if token.quantity is not None:
-            return Number(token.quantity, token.span)
-        if token.kind is Kind.QUOTED:
-            return Signal(token.text, token.span)
-        if token.kind is Kind.SYMBOL and token.text == "-":
-            operand = number(self._deeper(self.factor), "`-`")
-            if isinstance(operand, Number):
-                quantity = operand.quantity
-                return Number(replace(quantity, value=-quantity.value), token.span.to(operand.span))
-            return Arithmetic("negative", (operand,), token.span.to(operand.span))
-        if token.kind is Kind.SYMBOL and token.text == "(":
-            inner = self._deeper(self.expression)
-            self.need(")", "", token)
-            return inner
-        if token.kind is Kind.NAME:
-            return self._named(token)
-        raise fault("JDG201", f"a number, a signal or `(` is wanted here, not {token.shown}", token.span)
-
-    def _named(self, token: Token) -> Node:
-        if self.sees("("):
-            return self._call(token)
+    def word(self, token: Token) -> Node:
+        """Return what a name stands for: "true" | "false" | signal ."""
         if token.text in {"true", "false"}:
             return Truth(token.text == "true", token.span)
         if token.text in RESERVED:
             hint = f"if it is a signal, write it in backquotes: `{token.text}`"
             raise fault("JDG201", f"`{token.text}` cannot stand here", token.span, hint)
         return Signal(token.text, token.span)
-
-    def _call(self, token: Token) -> Node:
-        opening = self.take()
-        if token.text not in FUNCTIONS:
-            known = [*FUNCTIONS, *EDGES, *WINDOWS]
-            near = nearest(token.text, known)
-            hint = f"did you mean `{near}`?" if near else f"there are {listed(known)}"
-            raise fault("JDG206", f"there is no function called `{token.text}`", token.span, hint)
-        operands = [number(self._deeper(self.expression), f"`{token.text}`")]
-        while self.taken(","):
-            operands.append(number(self._deeper(self.expression), f"`{token.text}`"))
-        closing = self.need(")", "", opening)
-        span = token.span.to(closing.span)
-        self._count(token, len(operands), span)
-        return Arithmetic(token.text, tuple(operands), span)
-
-    def _count(self, token: Token, given: int, span: Span) -> None:
-        wanted = FUNCTIONS[token.text]
-        if given != wanted and (wanted or given < 2):
-            takes = "one number" if wanted == 1 else "two numbers or more"
-            raise fault("JDG206", f"`{token.text}` takes {takes}, and here are {given}", span)
-
-    def _deeper(self, part: Callable[[], Node], more: int = 1) -> Node:
-        """Parse a part one step deeper; of a chain, as many steps deeper as it has links."""
-        self.depth += more
-        if self.depth > DEEPEST:
-            message = f"more than {DEEPEST} operators stand within each other"
-            raise fault("JDG207", message, self.next.span, "make several requirements of it")
-        found = part()
-        self.depth -= more
-        return found
 
 
 def _junction(word: Token, left: Node, right: Node) -> Tree:

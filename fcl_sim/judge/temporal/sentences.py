@@ -3,8 +3,8 @@
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
+from fcl_sim.formula.tokens import Kind
 from fcl_sim.judge.temporal.parse import RESERVED, Parser
-from fcl_sim.judge.temporal.tokens import Kind
 from fcl_sim.judge.temporal.tree import TO_THE_END, Edge, Formula, Interval, Junction, Not, Until, Window
 
 

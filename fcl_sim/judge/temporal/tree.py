@@ -8,44 +8,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from fcl_sim.diagnostics import Span
-from fcl_sim.units import Quantity
-
-
-@dataclass(frozen=True, slots=True)
-class Number:
-    """A number with its unit."""
-
-    quantity: Quantity
-    span: Span = field(compare=False, repr=False)
-
-
-@dataclass(frozen=True, slots=True)
-class Signal:
-    """The samples of a signal."""
-
-    name: str
-    span: Span = field(compare=False, repr=False)
-
-
-@dataclass(frozen=True, slots=True)
-class Scaled:
-    """A number times `factor`, which takes it into another unit; only the resolver makes it."""
-
-    factor: float
-    operand: "Expression"
-    span: Span = field(compare=False, repr=False)
-
-
-@dataclass(frozen=True, slots=True)
-class Arithmetic:
-    """`+`, `-`, `*`, `/` of two numbers, `negative` and `abs` of one, `min` and `max` of any."""
-
-    operator: str
-    operands: tuple["Expression", ...]
-    span: Span = field(compare=False, repr=False)
-
-
-Expression = Number | Signal | Scaled | Arithmetic
+from fcl_sim.formula import tree as arithmetic
+from fcl_sim.formula.tree import Expression, Signal
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,14 +96,14 @@ Node = Expression | Formula
 def parts(node: Node) -> tuple[Node, ...]:
     """Return what a node is built from."""
     match node:
-        case Arithmetic():
-            return node.operands
-        case Scaled() | Not() | Edge() | Window():
+        case Not() | Edge() | Window():
             return (node.operand,)
         case Comparison() | Junction() | Until():
             return (node.left, node.right)
-        case _:
+        case Truth():
             return ()
+        case _:
+            return arithmetic.parts(node)
 
 
 def signals(node: Node) -> Iterator[str]:

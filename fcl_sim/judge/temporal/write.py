@@ -1,10 +1,10 @@
 """Tree → text of a formula, with the parentheses that make its reading plain."""
 
+from fcl_sim.formula import write as arithmetic
+from fcl_sim.formula.tree import Arithmetic, Number, Scaled, Signal
 from fcl_sim.judge.temporal.sentences import QUOTED
-from fcl_sim.judge.temporal.tokens import NAME
 from fcl_sim.judge.temporal.tree import (
     TO_THE_END,
-    Arithmetic,
     Comparison,
     Edge,
     Formula,
@@ -12,9 +12,6 @@ from fcl_sim.judge.temporal.tree import (
     Junction,
     Node,
     Not,
-    Number,
-    Scaled,
-    Signal,
     Truth,
     Until,
     Window,
@@ -25,15 +22,8 @@ from fcl_sim.units import short
 def written(node: Node) -> str:
     """Return the text of a tree; read again, it gives the same tree."""
     match node:
-        case Number():
-            unit = node.quantity.unit.symbol.replace(" ", "*")
-            return f"{short(node.quantity.value)} {unit}".rstrip()
-        case Signal():
-            return name(node.name)
-        case Scaled():
-            return written(node.operand)
-        case Arithmetic():
-            return _arithmetic(node)
+        case Number() | Signal() | Scaled() | Arithmetic():
+            return arithmetic.written(node, QUOTED)
         case Comparison():
             return f"{written(node.left)} {node.operator} {written(node.right)}"
         case _:
@@ -42,20 +32,7 @@ def written(node: Node) -> str:
 
 def name(signal: str) -> str:
     """Return the name of a signal as a formula has it, in backquotes where it is no plain name."""
-    return signal if NAME.fullmatch(signal) and signal not in QUOTED else f"`{signal}`"
-
-
-def _arithmetic(node: Arithmetic) -> str:
-    given = [written(each) for each in node.operands]
-    if node.operator in {"abs", "min", "max"}:
-        return f"{node.operator}({', '.join(given)})"
-    enclosed = [
-        f"({text})" if isinstance(each, Arithmetic) and each.operator not in {"abs", "min", "max"} else text
-        for each, text in zip(node.operands, given, strict=True)
-    ]
-    if node.operator == "negative":
-        return f"-{enclosed[0]}"
-    return f" {node.operator} ".join(enclosed)
+    return arithmetic.name(signal, QUOTED)
 
 
 def _truth(node: Formula) -> str:

@@ -6,10 +6,14 @@ from typing import Any
 
 from fcl_sim.diagnostics import Span
 from fcl_sim.loop.blocks.setting import Setting
-from fcl_sim.units import ONE, Quantity, Unit, parse_unit
+from fcl_sim.units import ONE, Quantity, Unit, UnitError, parse_unit
 
 UnitRule = Callable[[Mapping[str, Unit], Mapping[str, Quantity]], Unit]
 """From the units of the inputs, by port, and the parameters as given, to a unit; UnitError if they clash."""
+
+
+class ToldElsewhere(UnitError):
+    """Why there is no unit is what a block's `check` yields."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +112,7 @@ KINDS: Mapping[str, str] = {
     "choice": "one of some words",
     "truth": "true or false",
     "text": "a text",
+    "formula": "a formula",
     "list": "a list of quantities",
     "table": "a list of rows of quantities",
     "rows": "names, each with a list of quantities",
@@ -144,6 +149,7 @@ class Misfit:
     message: str
     hint: str = ""
     span: Span | None = None
+    code: str = "WIR202"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

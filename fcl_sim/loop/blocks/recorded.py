@@ -74,7 +74,7 @@ def _legible(parameters: Mapping[str, Any]) -> Iterator[Misfit]:
     try:
         time_series(parameters["file"], parameters.get("column", ""))
     except TableFault as fault:
-        yield Misfit(parameter="file", message=str(fault), hint=fault.hint, span=fault.span)
+        yield Misfit(parameter="file", message=str(fault), hint=fault.hint, span=fault.span, code="WIR204")
 
 
 def _outputs(parameters: Mapping[str, Any]) -> tuple[BlockOutput, ...]:

@@ -1,12 +1,13 @@
 """Text of a formula → tokens. A number and its unit are one token, the path of a signal is one."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from types import MappingProxyType
 
 from fcl_sim.diagnostics import Span
-from fcl_sim.judge.temporal.text import Text, fault
+from fcl_sim.formula.text import Text, fault
 from fcl_sim.units import Quantity, UnitError, parse_quantity, parse_unit
 
 
@@ -52,60 +53,50 @@ _UNIT = re.compile(r"\s*(1/)?(?=[^\W\d_]|[%°])")
 _FACTOR = re.compile(r"(?:[^\W\d_]+|%|°C?)(?:\^[+-]?\d{1,2}|\d{1,2})?(?![\w.(`])")
 _JOIN = re.compile(r"[*/·]")
 
-WORDS = frozenset({"and", "or", "not", "until", "implies"})
-"""The words of the language that stand between truths."""
-_BEHIND_NUMBERS = WORDS | {"then", "within", "for", "lasts", "before", "at", "on", "to"}
-"""What may stand behind a number and is no unit."""
-
-_INSTEAD = {
-    "&": "write `and`",
-    "|": "write `or`",
-    "!": "write `not`",
-    "=": "write `==`, or better <= and >=",
-    "→": "write `implies`",
-    "≤": "write `<=`",
-    "≥": "write `>=`",
-    "−": "write the minus sign as `-`",
-    "{": "write `(`",
-    "}": "write `)`",
-    ";": "one formula is one requirement: join two by `and`",
-}
+INSTEAD: Mapping[str, str] = MappingProxyType(
+    {"−": "write the minus sign as `-`", "{": "write `(`", "}": "write `)`", "^": "write `pow(a, b)`"}
+)
+"""What to write in place of a character that has no meaning."""
 
 
-def scan(text: Text) -> tuple[Token, ...]:
-    """Return the tokens of a formula, `Kind.END` the last; InputFault at what is none."""
-    return tuple(_tokens(text))
+def scan(text: Text, words: Container[str] = (), instead: Mapping[str, str] = INSTEAD) -> tuple[Token, ...]:
+    """Return the tokens of a formula, `Kind.END` the last; InputFault at what is none.
+
+    `words` are those that may stand behind a number and are no unit; `instead`
+    says what to write in place of a character.
+    """
+    return tuple(_tokens(text, words, instead))
 
 
-def _tokens(text: Text) -> Iterator[Token]:
+def _tokens(text: Text, words: Container[str], instead: Mapping[str, str]) -> Iterator[Token]:
     at, whole = 0, text.text
     while match := _TOKEN.match(whole, at):
         kind = str(match.lastgroup)
         start, at = match.start(kind), match.end()
         word = match[kind]
         if kind == "number":
-            at, quantity = _quantity(text, start, at)
+            at, quantity = _quantity(text, start, at, words)
             yield Token(Kind.NUMBER, whole[start:at], text.span(start, at), quantity)
         elif kind == "stray":
-            raise _stray(text, word, start)
+            raise _stray(text, word, start, instead)
         else:
             start -= kind == "quoted"
             yield Token(Kind[kind.upper()], word, text.span(start, at))
     yield Token(Kind.END, "", text.span(len(whole), len(whole)))
 
 
-def _stray(text: Text, word: str, start: int) -> Exception:
-    hint = _INSTEAD.get(word, "")
+def _stray(text: Text, word: str, start: int, instead: Mapping[str, str]) -> Exception:
+    hint = instead.get(word, "")
     if word == "`":
         return fault("JDG201", "a name in backquotes is not closed", text.span(start, start + 1), hint)
     shown = f"`{word}`" if word.isprintable() else f"the character U+{ord(word):04X}"
     return fault("JDG201", f"{shown} has no meaning in a formula", text.span(start, start + 1), hint)
 
 
-def _quantity(text: Text, start: int, end: int) -> tuple[int, Quantity]:
+def _quantity(text: Text, start: int, end: int, words: Container[str]) -> tuple[int, Quantity]:
     """Return where a number ends with its unit, and what it says."""
     whole = text.text
-    stop = _unit_end(whole, end)
+    stop = _unit_end(whole, end, words)
     unit = whole[end:stop].strip().replace("·", "*")
     try:
         return stop, Quantity(parse_quantity(whole[start:end]).value, parse_unit(unit))
@@ -114,7 +105,7 @@ def _quantity(text: Text, start: int, end: int) -> tuple[int, Quantity]:
         raise fault("JDG201", str(error), text.span(begin, stop), error.hint) from error
 
 
-def _unit_end(whole: str, end: int) -> int:
+def _unit_end(whole: str, end: int, words: Container[str]) -> int:
     """Return where the unit behind a number ends: `end` where there is none.
 
     unit = [ "1/" ] power { ( "*" | "/" ) power } ; without blanks, since words
@@ -124,7 +115,7 @@ def _unit_end(whole: str, end: int) -> int:
     if opening is None:
         return end
     factor = _FACTOR.match(whole, opening.end())
-    if factor is None or factor[0] in _BEHIND_NUMBERS:
+    if factor is None or factor[0] in words:
         return end
     stop = factor.end()
     while (join := _JOIN.match(whole, stop)) and (factor := _FACTOR.match(whole, join.end())):
