@@ -4,14 +4,16 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from fcl_sim.concept.function_block import IntegerInstance, Scales
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.evaluate import Evaluation, evaluate
+from fcl_sim.engine.evaluate import Evaluation, checked_names, evaluate
 from fcl_sim.engine.explain import Explanation
 from fcl_sim.engine.instance import Instance
 from fcl_sim.engine.narrow import narrowed
@@ -20,7 +22,7 @@ from fcl_sim.engine.program import Program
 from fcl_sim.fcl import Reading, read, read_file
 from fcl_sim.model import DataType, FunctionBlock
 
-ARITHMETICS = tuple(PRECISIONS)
+ARITHMETICS = (*PRECISIONS, "INT")
 """The arithmetics in which an instance can compute."""
 
 
@@ -59,19 +61,35 @@ class Block:
     def __repr__(self) -> str:
         return f"<Block {self.name}: {', '.join(self.inputs)} -> {', '.join(self.outputs)}>"
 
-    def instance(self, arithmetic: str = "LREAL") -> Instance:
-        """Return a new instance with its own memory, in LREAL (binary64) or REAL (binary32) (S36).
+    @overload
+    def instance(  # type: ignore[overload-overlap]  # any other text makes the other
+        self, arithmetic: Literal["INT"], *, scale: Scales | None = None, rounding: str = "truncate"
+    ) -> IntegerInstance: ...
+
+    @overload
+    def instance(self, arithmetic: str = "LREAL") -> Instance: ...
+
+    def instance(
+        self, arithmetic: str = "LREAL", *, scale: Scales | None = None, rounding: str = "truncate"
+    ) -> Instance | IntegerInstance:
+        """Return a new instance with its own memory, in LREAL (binary64), REAL (binary32) or INT (S36).
 
         In REAL, the numbers of the rule base are rounded to binary32 as they
-        are assembled, those of a call at the call. Raises InputFault for
-        numbers that REAL cannot carry.
+        are assembled, those of a call at the call. INT is that of the Concept
+        FUZZY library: `scale` says by variable what a count is, its factor, or
+        factor and offset; `rounding`, `truncate` or `round`, is of quotients.
+        Raises InputFault for what an arithmetic cannot do.
         """
+        if arithmetic == "INT":
+            return IntegerInstance(self.function_block, scale, rounding)
         program = self.program_in(arithmetic)
+        if scale is not None or rounding != "truncate":
+            raise ValueError(f"scale and rounding are of INT, not of {arithmetic}")
         return Instance(narrowed(self.function_block, PRECISIONS[arithmetic]), program)
 
     def program_in(self, arithmetic: str) -> Program:
-        """Return the program in an arithmetic; errors as in `instance`."""
-        if arithmetic not in ARITHMETICS:
+        """Return the program in LREAL or REAL; errors as in `instance`."""
+        if arithmetic not in PRECISIONS:
             raise ValueError(f"no arithmetic {arithmetic}; there is {listed(ARITHMETICS)}")
         return self.program if arithmetic == "LREAL" else self._real
 
@@ -89,10 +107,14 @@ class Block:
 
         NC gives `previous`, else the initial value. An input may be missing
         where an initial value is declared for it. In REAL inputs are rounded to
-        binary32, and outputs are numbers of binary32. Raises TypeError for an
+        binary32, and outputs are numbers of binary32. In INT they are counts,
+        and `previous` is not taken. Raises TypeError for an
         unknown or missing variable, ValueError for a value that is not finite,
         with the variable and the first index (S37).
         """
+        if arithmetic == "INT":
+            checked_names(self.program, values, self._declared())
+            return IntegerInstance(self.function_block).evaluate(values)
         return dict(self.evaluation(values, previous, arithmetic).outputs)
 
     def evaluation(

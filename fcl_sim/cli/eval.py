@@ -1,6 +1,7 @@
 """`fcl-sim eval`: one evaluation of a rule base."""
 
 import json
+from collections.abc import Mapping
 from dataclasses import asdict
 from importlib import import_module
 from pathlib import Path
@@ -31,7 +32,7 @@ REMARKS = {
     type=click.Choice(ARITHMETICS),
     default="LREAL",
     show_default=True,
-    help="What it computes in: binary64, or binary32 as with REAL on a PLC.",
+    help="What it computes in: binary64, binary32, or the counts of Concept's FUZZY library.",
 )
 @click.option("--explain", is_flag=True, help="Show every step of the inference.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
@@ -59,9 +60,14 @@ def command(  # noqa: PLR0913  an option each
     loaded = load(file, block)
     values = _values(assignments)
     try:
-        loaded.evaluate(values, arithmetic=arithmetic)
+        results = loaded.evaluate(values, arithmetic=arithmetic)
+    except OverflowError as error:
+        raise click.ClickException(str(error)) from None
     except (TypeError, ValueError) as error:  # unknown, missing or not finite, as it says
         raise click.UsageError(str(error)) from None
+    if arithmetic == "INT":
+        _in_counts(results, values, loaded.name, as_json=as_json, more=explain or figure is not None)
+        return
     explanation = loaded.instance(arithmetic).explain(**values)
     if figure is not None:
         # Loads matplotlib and typst, which an evaluation does without.
@@ -77,6 +83,27 @@ def command(  # noqa: PLR0913  an option each
     else:
         for each in explanation.defuzzified:
             click.echo(f"{each.variable} = {short(each.value)}{REMARKS[each.origin]}")
+
+
+def _in_counts(
+    results: Mapping[str, Any], values: dict[str, float], name: str, *, as_json: bool, more: bool
+) -> None:
+    """Print outputs in INT, of which there are no steps to show."""
+    if more:
+        raise click.UsageError("--explain and --figure are for LREAL and REAL")
+    outputs = {output: int(value) for output, value in results.items()}
+    if as_json:
+        document = {
+            "schema": SCHEMA,
+            "block": name,
+            "arithmetic": "INT",
+            "inputs": values,
+            "outputs": outputs,
+        }
+        click.echo(json.dumps(document, indent=2, ensure_ascii=False))
+        return
+    for output, value in outputs.items():
+        click.echo(f"{output} = {value}")
 
 
 def _values(assignments: tuple[str, ...]) -> dict[str, float]:

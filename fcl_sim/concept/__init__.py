@@ -1,7 +1,8 @@
 """The function blocks of Concept's FUZZY library, in INT, REAL and with structures.
 
 In: numbers. Out: degrees and numbers, and the run-time errors by their names.
-May import arithmetic, jit and diagnostics. A block's declaration, equation and
+A function block of FCL becomes a network of them (translate, function_block).
+May import arithmetic, model, jit and diagnostics. A block's declaration, equation and
 kernel stand side by side; its opcode is its row in TABLE. A name of the
 manual, called, makes an instance. Tests: tests/concept.
 """

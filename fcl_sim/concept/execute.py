@@ -46,7 +46,7 @@ from fcl_sim.concept.operators import (
     sum_real,
 )
 from fcl_sim.concept.sterm import STERM_INT, STERM_REAL, sterm_int, sterm_real
-from fcl_sim.jit import F4, I, entry, i8, signature
+from fcl_sim.jit import F4, I, entry, i8, kernel, signature
 
 TABLE: tuple[BlockType, ...] = (
     ATERM_INT, ATERM_REAL, ATERM_STI, ATERM_STR, STERM_INT, STERM_REAL,
@@ -56,8 +56,8 @@ TABLE: tuple[BlockType, ...] = (
 """Block types by opcode."""
 
 
-@entry(signature(i8, i8, I, i8, I, i8))
-def execute_int(opcode: int, inputs: Ints, count: int, outputs: Ints, rounding: int) -> int:
+@kernel
+def run_int(opcode: int, inputs: Ints, count: int, outputs: Ints, rounding: int) -> int:
     """Run a block in INT arithmetic; return its event's number."""
     if opcode == 0:
         event = aterm_int(inputs, count, outputs, rounding)
@@ -78,6 +78,12 @@ def execute_int(opcode: int, inputs: Ints, count: int, outputs: Ints, rounding: 
     else:
         event = defuz_sti(inputs, count, outputs, rounding)
     return event
+
+
+@entry(signature(i8, i8, I, i8, I, i8))
+def execute_int(opcode: int, inputs: Ints, count: int, outputs: Ints, rounding: int) -> int:
+    """Run a block as `run_int`."""
+    return run_int(opcode, inputs, count, outputs, rounding)
 
 
 @entry(signature(i8, i8, F4, i8, F4))

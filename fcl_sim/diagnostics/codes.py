@@ -91,6 +91,7 @@ CODES: dict[str, str] = {
     "FCL408": "a shape of the Open Level is not evaluated by this version",
     "FCL410": "an algorithm of the Open Level is not evaluated by this version",
     "FCL412": "an output with smooth shapes has no RANGE",
+    "FCL414": "INT cannot do what the text says",
     "FCL422": "there are several function blocks",
     "FCL423": "no function block has that name",
     "FCL501": "the Basic Level cannot say this",

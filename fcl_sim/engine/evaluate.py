@@ -43,10 +43,7 @@ def evaluate(
     Raises TypeError for a missing or unknown variable, ValueError for a value
     that is not finite, with its first index.
     """
-    inputs = by_declared_name(values, program.input_names, "input")
-    for name in program.input_names:
-        if name not in inputs and name not in optional:
-            raise TypeError(f"{program.name} needs a value for {name}")
+    inputs = checked_names(program, values, optional)
     former = by_declared_name(previous or {}, program.output_names, "output")
     starts = program.initial
     given = {**inputs, **former}
@@ -65,6 +62,17 @@ def evaluate(
         {name: outputs[i, ...].astype(np.float64, copy=False) for i, name in enumerate(program.output_names)},
         {name: active[i, ...] for i, name in enumerate(program.output_names)},
     )
+
+
+def checked_names(
+    program: Program, values: Mapping[str, ArrayLike], optional: frozenset[str]
+) -> dict[str, ArrayLike]:
+    """Return `values` by declared names; TypeError for one that is missing or unknown."""
+    inputs = by_declared_name(values, program.input_names, "input")
+    for name in program.input_names:
+        if name not in inputs and name not in optional:
+            raise TypeError(f"{program.name} needs a value for {name}")
+    return inputs
 
 
 def _in_threads(program: Program, points: Floats, size: int) -> None:

@@ -6,9 +6,9 @@ from typing import Annotated, Any
 from pydantic import PlainValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-from fcl_sim.block import ARITHMETICS
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.engine.precision import PRECISIONS
 from fcl_sim.judge.verdict import Form
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.units import UnitError, nanoseconds, parse_quantity, parse_unit
@@ -188,7 +188,7 @@ UnitText = Annotated[Any, PlainValidator(_unit), _schema(TEXT, examples=["m", "d
 WireText = Annotated[
     Any, PlainValidator(_wire), _schema(TEXT, examples=["crane.distance", "-crane.distance"])
 ]
-Arithmetic = choice_of(ARITHMETICS)
+Arithmetic = choice_of(tuple(PRECISIONS))
 SchemeName = Annotated[
     Any, PlainValidator(lambda value: _choice(value, tuple(SCHEMES))), _schema({}, enum=sorted(SCHEMES))
 ]

@@ -71,6 +71,21 @@ def test_in_real_every_number_is_one_of_binary32(invoke, three):
     assert told["value"] == float(np.float32(12.1))
 
 
+def test_in_int_numbers_are_counts(invoke, three):
+    asked = ("eval", three, "distance=12", "angle=4", "--arithmetic", "INT")
+    assert invoke(*asked).stdout == "power = 7\n"
+    assert json.loads(invoke(*asked, "--json").stdout) == {
+        "schema": 1,
+        "block": "three",
+        "arithmetic": "INT",
+        "inputs": {"distance": 12.0, "angle": 4.0},
+        "outputs": {"power": 7},
+    }
+    result = invoke(*asked, "--explain")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "--explain and --figure are for LREAL and REAL" in result.stderr
+
+
 def test_an_output_without_an_active_rule_says_where_its_value_comes_from(invoke):
     result = invoke("eval", CRANE, "distance=-10", "angle=0")
     assert result.stdout == "power = 0  (no rule is active: DEFAULT)\n"
