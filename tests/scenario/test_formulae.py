@@ -2,8 +2,11 @@
 
 import math
 
+import numpy as np
 import pytest
 
+from fcl_sim import testbench
+from fcl_sim.loop.trace import Trace
 from fcl_sim.scenario.show import show_scenario
 from fcl_sim.testbench import prepare
 
@@ -167,6 +170,25 @@ def test_a_ratio_has_no_unit_and_a_difference_that_of_the_metric(bench):
 def test_a_slip_in_a_comparison_is_told(bench, edit, told):
     with_formula(bench, RELATIVE.replace(*edit))
     assert told in bench.fault()
+
+
+def test_every_other_run_is_held_against_the_named_one(bench, monkeypatch):
+    with_formula(bench, RELATIVE)
+    swings = iter([2.0, 4.0, 6.0, 1.0, 5.0, 2.0])
+
+    def simulated(_diagram):
+        ticks = np.arange(0, 61 * 10**9, 10**9)
+        sway = np.full(61, next(swings))
+        return Trace(
+            ticks=ticks,
+            names=("crane.distance", "crane.sway"),
+            units={"crane.distance": "m", "crane.sway": "deg"},
+            values=np.column_stack([np.linspace(25.0, 0.0, 61), sway]),
+        )
+
+    monkeypatch.setattr(testbench, "simulate", simulated)
+    outcome = testbench.run_scenario(bench.read())
+    assert [run.metrics.get("CR-4") for run in outcome.variants.values()] == [None, 2.0, 3.0, 0.5, 2.5, 1.0]
 
 
 CORRIDOR = 'corridor = { signal = "crane.sway", file = "corridor.csv" }\n'
