@@ -35,13 +35,13 @@ def data_check_list() -> tuple[tuple[str, str], ...]:
     """Return the rows of Table 11: technical data, and our statement."""
     types = ", ".join(str(each) for each in DataType)
     return (
-        ("data types of function block inputs and outputs", f"{types}; computed in LREAL (binary64, S36)"),
+        ("data types of function block inputs and outputs", f"{types}; computed in LREAL, REAL or INT (S36)"),
         ("line comments in the FCL program", "YES: // to the end of the line (S13)"),
         ("execution time", "by machine and rule base: make bench measures it on yours"),
         ("memory requirements", "by rule base: fcl-sim show program prints it"),
         (
             "mapping of weighting factors and degrees onto integers",
-            "none: degrees are numbers from 0 to 1 in LREAL",
+            "none in LREAL and REAL; in INT the degree 1 is 10000",
         ),
         *((_title(key), _limit(key)) for key in FIGURES),
     )
