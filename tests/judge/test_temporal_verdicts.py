@@ -89,6 +89,20 @@ def test_a_trigger_that_never_comes_leaves_it_untested():
     assert truth("always (not (x > 1) or y > 1)", [0, 0]) is Truth.HOLDS
 
 
+def test_a_trigger_that_might_come_after_the_end_has_not_come():
+    assert truth("whenever eventually[0 s, 9 s] x > 1, then true", [0, 0]) is Truth.UNTESTED
+    assert truth("whenever eventually[0 s, 9 s] x > 1, then true", [0, 2]) is Truth.HOLDS
+
+
+def test_a_missing_number_behind_a_trigger_that_does_not_come_is_not_looked_at():
+    assert truth("whenever x > 1, then y > 1", [0, 2, 0], [math.nan, 2, math.nan]) is Truth.HOLDS
+    assert truth("whenever x > 1, then y > 1", [0, 2, 0], [2, math.nan, 2]) is Truth.BROKEN
+
+
+def test_a_missing_number_far_off_does_not_spoil_a_promise_that_was_kept():
+    assert truth("x > 0 until[0 s, 1 s] y > 0", [1, 1, math.nan, 1], [0, 1, 0, math.nan]) is Truth.HOLDS
+
+
 def test_units_are_converted_before_anything_is_compared():
     run = trace([0.0, 90.0], [2.0, 2.0], units={"x": "deg", "y": "km"})
 
