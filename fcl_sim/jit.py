@@ -27,6 +27,7 @@ import numpy as np
 from numba.core import caching, errors, ir, types
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import AnalysisPass, FunctionPass, register_pass
+from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NopythonTypeInference
 from numba.core.untyped_passes import IRProcessing
 from numba.experimental import structref
@@ -40,6 +41,9 @@ KERNEL_ROOMS = ("arithmetic", "engine", "concept", "plant", "loop")
 """What a compiled kernel can come from, relative to the package; the digest covers all of it."""
 
 KEPT_FOLDERS = 12
+
+OPTIONS = {"nogil": True, "error_model": "numpy"}
+"""How kernels are compiled."""
 
 F = types.Array(types.float64, 1, "C")
 """Signature part: a contiguous float64 buffer."""
@@ -95,10 +99,30 @@ new_links: Callable[[Any], Any] = (lambda _: SimpleNamespace()) if numba.config.
 """In a kernel: make an object of a `links_type`, whose attributes are still to be set."""
 
 
+class _Inner(CPUDispatcher):
+    """A function that kernels call. Python gets it as written.
+
+    What numba would make for calls from Python is a fifth of its work.
+    """
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self.py_func(*arguments)
+
+
+def _inner(function: Function, pipeline: Any = None, **options: Any) -> Function:
+    if not compiled():
+        return function
+    wrappers = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    own = {} if pipeline is None else {"pipeline_class": pipeline}
+    dispatcher: Any = _Inner(
+        function, targetoptions={"nopython": True, **OPTIONS, **wrappers, **options}, **own
+    )
+    return cast("Function", dispatcher)
+
+
 def kernel(function: Function) -> Function:
     """Decorate a function that only other kernels call, in numba's subset."""
-    dispatcher: Function = _njit()(function)
-    return dispatcher
+    return _inner(function, _Pipeline)
 
 
 def flat(function: Function) -> Function:
@@ -107,24 +131,17 @@ def flat(function: Function) -> Function:
     numba's counting costs an atomic operation or two per array and call, as
     much as a small rule base, wherever its own pruning does not see through.
     """
-    dispatcher: Function = _njit(_nrt=False)(function)
-    return dispatcher
+    return _inner(function, _Pipeline, _nrt=False)
 
 
 def inlined(function: Function) -> Function:
     """Decorate a small flat kernel that is copied into its callers."""
-    dispatcher: Function = _njit(_nrt=False, forceinline=True)(function)
-    return dispatcher
+    return _inner(function, _Pipeline, _nrt=False, forceinline=True)
 
 
 def rounded(function: Function) -> Function:
     """Decorate a small flat kernel that computes in binary64 whatever it is given, and rounds its result."""
-    dispatcher: Function = numba.njit(nogil=True, error_model="numpy", _nrt=False, forceinline=True)(function)
-    return dispatcher
-
-
-def _njit(**options: Any) -> Any:
-    return numba.njit(nogil=True, error_model="numpy", pipeline_class=_Pipeline, **options)
+    return _inner(function, _nrt=False, forceinline=True)
 
 
 def _precisions(kind: Any) -> Iterator[Any]:
@@ -234,7 +251,7 @@ def entry(signature: Any) -> Callable[[Callable[..., Any]], Entry]:
 
 
 def _compile(function: Callable[..., Any], signature: Any, salt: str) -> Callable[..., Any]:
-    dispatcher: Any = _njit()(function)
+    dispatcher: Any = numba.njit(pipeline_class=_Pipeline, **OPTIONS)(function)
     if not compiled():
         return cast("Callable[..., Any]", dispatcher)
     folder = cache_folder(salt)
