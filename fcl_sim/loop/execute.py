@@ -1,15 +1,25 @@
 """Execute the blocks of a tape once, in wiring order.
 
 The commonest blocks are copied into the loop. All others are behind one
-function that is compiled when a tape first needs it, and called through a
-first-class function, so that they cost a loop without them neither time nor
-compilation.
+function, called through a first-class function. It is compiled when a tape
+first needs it, for the families that the tape has, so that blocks cost a loop
+without them neither time nor compilation.
 """
 
 from collections.abc import Callable
+from functools import cache
 
-from fcl_sim.jit import Entry, F, I, entry, f8, function_type, i8, inlined, signature, u, void
-from fcl_sim.loop.blocks import calculation, controllers, delays, dynamics, nonlinear, routing, sources
+from fcl_sim.jit import Entry, F, I, f8, function_type, i8, inlined, signature, u, void
+from fcl_sim.loop.blocks import (
+    calculation,
+    controllers,
+    delays,
+    dynamics,
+    expression,
+    nonlinear,
+    routing,
+    sources,
+)
 from fcl_sim.loop.blocks.differentiator import differentiate
 from fcl_sim.loop.blocks.fuzzy import INSTANCE, Fuzzy, Singles
 from fcl_sim.loop.blocks.integrator import integrate
@@ -76,50 +86,53 @@ def keep_late(ints: Ints, floats: Floats, memory: Floats) -> None:
         at += 3
 
 
-@entry(signature(*_FURTHER))
-def execute_further(
-    opcode: int,
-    ints: Ints,
-    floats: Floats,
-    memory: Floats,
-    at: int,
-    cycle: float,
-    time: float,
-    scan: int,
-) -> None:
-    """Execute a row of any family but the first, by its opcode."""
-    row = Row(ints, floats, memory, at, cycle, time, scan)
-    family, code = opcode >> FAMILY_SHIFT, opcode & CODE_MASK
-    if family == 1:
-        calculation.execute(code, row)
-    elif family == 2:
-        nonlinear.execute(code, row)
-    elif family == 3:
-        delays.execute(code, row)
-    elif family == 4:
-        sources.execute(code, row)
-    elif family == 5:
-        dynamics.execute(code, row)
-    elif family == 6:
-        controllers.execute(code, row)
-    elif family == 7:
-        routing.execute(code, row)
+FIRST_FAMILY, FAMILIES = 1, 8
 
 
-@entry(signature(*_FURTHER))
-def execute_nothing(
-    opcode: int,
-    ints: Ints,
-    floats: Floats,
-    memory: Floats,
-    at: int,
-    cycle: float,
-    time: float,
-    scan: int,
-) -> None:
-    """Do nothing, where no row needs more."""
+@cache
+def further_with(families: frozenset[int]) -> Entry:
+    """Return what executes rows of these families and of no other.
+
+    numba leaves out what a False that is known before excludes, so that only
+    these families are compiled.
+    """
+    has = [number in families for number in range(FIRST_FAMILY, FIRST_FAMILY + FAMILIES)]
+    has_calculation, has_nonlinear, has_delays, has_sources = has[:4]
+    has_dynamics, has_controllers, has_routing, has_expression = has[4:]
+
+    def execute_further(
+        opcode: int,
+        ints: Ints,
+        floats: Floats,
+        memory: Floats,
+        at: int,
+        cycle: float,
+        time: float,
+        scan: int,
+    ) -> None:
+        """Execute a row of any family but the first, by its opcode."""
+        row = Row(ints, floats, memory, at, cycle, time, scan)
+        family, code = opcode >> FAMILY_SHIFT, opcode & CODE_MASK
+        if has_calculation and family == 1:
+            calculation.execute(code, row)
+        elif has_nonlinear and family == 2:
+            nonlinear.execute(code, row)
+        elif has_delays and family == 3:
+            delays.execute(code, row)
+        elif has_sources and family == 4:
+            sources.execute(code, row)
+        elif has_dynamics and family == 5:
+            dynamics.execute(code, row)
+        elif has_controllers and family == 6:
+            controllers.execute(code, row)
+        elif has_routing and family == 7:
+            routing.execute(code, row)
+        elif has_expression and family == 8:
+            expression.execute(code, row)
+
+    return Entry(execute_further, signature(*_FURTHER))
 
 
 def further_for(opcodes: list[int]) -> Entry:
     """Return what executes the rows of a tape that the loop does not execute itself."""
-    return execute_further if any(opcode > CODE_MASK for opcode in opcodes) else execute_nothing
+    return further_with(frozenset(opcode >> FAMILY_SHIFT for opcode in opcodes if opcode > CODE_MASK))

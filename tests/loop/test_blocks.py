@@ -67,13 +67,20 @@ def test_every_block_of_the_tables_has_an_equation_and_a_branch_of_the_dispatch(
 
 
 def test_every_family_has_its_branch_and_its_numbers():
-    source = source_of(dispatch.execute_further.function)
+    source = source_of(dispatch.further_with)
     for number, family in enumerate(FAMILIES[1:], start=1):
-        assert f"family == {number}:\n        {family.name}.execute(" in source
+        assert f"has_{family.name} and family == {number}:\n            {family.name}.execute(" in source
         assert f"{family.name}.{family.execute.__name__}" in source
         assert len(family.table) <= CODES
+    assert len(FAMILIES) - 1 == dispatch.FAMILIES
     assert (1 << dispatch.FAMILY_SHIFT, dispatch.CODE_MASK) == (CODES, CODES - 1)
     assert len(BLOCKS) == sum(len(family.table) for family in FAMILIES)
+
+
+def test_a_tape_has_compiled_what_its_families_need():
+    opcodes = [OPCODES[name] for name in ("gain", "dead_band", "step", "ramp")]
+    assert dispatch.further_for(opcodes) is dispatch.further_with(frozenset({2, 4}))
+    assert dispatch.further_for(opcodes[:1]) is dispatch.further_with(frozenset())
 
 
 def test_every_declaration_is_sound():

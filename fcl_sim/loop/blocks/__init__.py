@@ -9,7 +9,16 @@ Tests: tests/loop/blocks, tests/loop/test_blocks.py, which walks the tables.
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from fcl_sim.loop.blocks import calculation, controllers, delays, dynamics, nonlinear, routing, sources
+from fcl_sim.loop.blocks import (
+    calculation,
+    controllers,
+    delays,
+    dynamics,
+    expression,
+    nonlinear,
+    routing,
+    sources,
+)
 from fcl_sim.loop.blocks.declaration import BlockParameter, BlockType, Family
 from fcl_sim.loop.blocks.differentiator import DIFFERENTIATOR
 from fcl_sim.loop.blocks.fuzzy import FUZZY
@@ -30,6 +39,7 @@ FAMILIES = (
     Family(name="dynamics", title="Lags", table=dynamics.TABLE, execute=dynamics.execute),
     Family(name="controllers", title="Controllers", table=controllers.TABLE, execute=controllers.execute),
     Family(name="routing", title="Choosing and sharing out", table=routing.TABLE, execute=routing.execute),
+    Family(name="expression", title="Formulae", table=expression.TABLE, execute=expression.execute),
 )
 """Block types by family; the opcode of a block is CODES times the row of its family, plus its own."""
 

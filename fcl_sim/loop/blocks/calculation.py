@@ -1,4 +1,4 @@
-"""`product` and `division`, and the family of calculations."""
+"""`product` and `division`."""
 
 from collections.abc import Mapping
 from math import fabs, prod
@@ -12,7 +12,6 @@ from fcl_sim.loop.blocks.declaration import (
     BlockType,
     Like,
 )
-from fcl_sim.loop.blocks.expression import EXPRESSION, expression
 from fcl_sim.loop.row import Row, inputs, number, read, write
 from fcl_sim.units import ONE, Quantity, Unit
 
@@ -77,7 +76,7 @@ DIVISION = BlockType(
     outputs=(BlockOutput(unit=_quotient_unit),),
 )
 
-TABLE = (PRODUCT, DIVISION, EXPRESSION)
+TABLE = (PRODUCT, DIVISION)
 
 
 @flat
@@ -87,5 +86,3 @@ def execute(code: int, row: Row) -> None:
         multiply(row)
     elif code == 1:
         divide(row)
-    elif code == 2:
-        expression(row)

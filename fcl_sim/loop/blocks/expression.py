@@ -1,4 +1,4 @@
-"""`expression`: a formula of signals, parsed, held to its units, and calculated from postfix code."""
+"""`expression`, a family of its own: a formula of signals, held to its units, then postfix code."""
 
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
@@ -66,7 +66,7 @@ OPERATIONS: Mapping[str, int] = MappingProxyType(
 
 
 @flat
-def expression(row: Row) -> None:
+def calculate(row: Row) -> None:
     """Kernel of `expression`; its states are the stack."""
     top = -1
     for place in range(CODE, CODE + word(row, LENGTH)):
@@ -182,7 +182,7 @@ EXPRESSION = BlockType(
         "numbers. No memory"
     ),
     source="IEC 61131-3 3.3, expressions of ST; IEC 61131-7 A.3, preparation of the inputs",
-    kernel=expression,
+    kernel=calculate,
     group=BlockInputs(name="inputs", meaning="u, each under the name that the formula knows", form="named"),
     parameters=(
         BlockParameter(
@@ -196,3 +196,12 @@ EXPRESSION = BlockType(
     check=_check,
     legible=_legible,
 )
+
+TABLE = (EXPRESSION,)
+
+
+@flat
+def execute(code: int, row: Row) -> None:
+    """Execute a block of this family by its row in TABLE."""
+    if code == 0:
+        calculate(row)
