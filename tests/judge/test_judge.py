@@ -143,6 +143,12 @@ def test_a_trace_that_ends_before_the_window_is_inconclusive() -> None:
     assert verdict.reason == "The trace ends at 30 s, before the window from 40 s to 40 s."
 
 
+def test_what_may_still_rise_after_the_end_of_the_trace_is_inconclusive() -> None:
+    given = {"metric": "rise_time", "arguments": {"final": 0.0}}
+    assert one(trace([25.0, 20.0, 15.0]), **given, maximum=35.0).status is Status.INCONCLUSIVE
+    assert one(trace([25.0, 20.0, 15.0]), **given, maximum=0.1).status is Status.FAIL
+
+
 def test_what_is_violated_before_the_trace_ends_fails_all_the_same() -> None:
     given = {"metric": "peak", "arguments": {"to": 60.0}, "maximum": 20.0, "unit": "m"}
     assert one(approach(0.5, seconds=30), **given).status is Status.FAIL

@@ -100,7 +100,8 @@ def test_a_missing_number_behind_a_trigger_that_does_not_come_is_not_looked_at()
 
 
 def test_a_missing_number_far_off_does_not_spoil_a_promise_that_was_kept():
-    assert truth("x > 0 until[0 s, 1 s] y > 0", [1, 1, math.nan, 1], [0, 1, 0, math.nan]) is Truth.HOLDS
+    found = consider(formula("x > 0 until[0 s, 1 s] y > 0"), trace([1, 1, math.nan, 1], [0, 1, 0, math.nan]))
+    assert (found.truth, found.robustness) == (Truth.HOLDS, 1)
 
 
 def test_units_are_converted_before_anything_is_compared():
@@ -112,6 +113,9 @@ def test_units_are_converted_before_anything_is_compared():
     assert found("always x <= 1.6 rad").truth is Truth.HOLDS
     assert found("always x <= 1.6 rad").robustness == pytest.approx(math.degrees(1.6) - 90)
     assert found("y + 500 m == 2500 m").truth is Truth.HOLDS
+    far = trace([1500.0, 2500.0], [2.0, 2.0], units={"x": "m", "y": "km"})
+    assert consider(formula("always x <= y", far.units), far).robustness == -500.0
+    assert consider(formula("always y >= min(x, 1 km)", far.units), far).robustness == 1.0
     assert found("always[0 s, 1 s] y / 1 min < 3 km/min").truth is Truth.HOLDS
 
 
