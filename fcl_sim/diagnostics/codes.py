@@ -89,7 +89,7 @@ CODES: dict[str, str] = {
     "FCL361": "a function takes another number of arguments",
     "FCL407": "a number is too large, or a slope too flat",
     "FCL408": "a shape of the Open Level is not evaluated by this version",
-    "FCL410": "an algorithm of the Open Level is not evaluated by this version",
+    "FCL410": "two algorithms of the Open Level are not evaluated together",
     "FCL412": "an output with smooth shapes has no RANGE",
     "FCL414": "INT cannot do what the text says",
     "FCL422": "there are several function blocks",

@@ -1,11 +1,14 @@
 """An output with areas: activation, weights, accumulation, and where its area lies."""
 
+from math import nan
+
 from numpy import float64, int64
 from numpy.typing import NDArray
 
 from fcl_sim.arithmetic.defuzzify import centre_of_area, centre_of_gravity, extreme_maximum
 from fcl_sim.arithmetic.operators import maximum, minimum
 from fcl_sim.arithmetic.polyline import LEVEL_SIZE, VERTEX_SIZE, activate, bound, highest, join
+from fcl_sim.engine.curved import Curves
 from fcl_sim.engine.moving import hull, place_terms, sourced
 from fcl_sim.engine.program import (
     AREA_GROUP,
@@ -19,8 +22,10 @@ from fcl_sim.engine.program import (
     AREA_PART,
     AREA_RESULT,
     AREA_ROOM,
+    CURVED_KIND,
     FLOATS,
     GROUP_BSUM,
+    GROUP_CURVED,
     GROUP_MAX,
     GROUP_NSUM,
     LIMIT,
@@ -42,9 +47,12 @@ Floats = NDArray[float64]
 
 @flat
 def settle_area(
-    ints: Ints, floats: Floats, at: int, area: int, method: int, memory: Floats, base: int
+    ints: Ints, floats: Floats, at: int, area: int, method: int, memory: Floats, base: int, curves: Curves
 ) -> tuple[float, float]:
-    """Return the value of an output with areas, and its area, 0 where no rule is active (S30, S31)."""
+    """Return the value of an output with areas, and its area, 0 where no rule is active (S30, S31).
+
+    The value is NaN where there is no room for the polyline that S33 asks for.
+    """
     origin = ints[u(at + FLOATS)]
     limits = origin + ints[u(area + AREA_LOW)]
     low, high = floats[u(limits)], floats[u(limits + 1)]
@@ -58,7 +66,9 @@ def settle_area(
     memory[u(result)] = memory[u(result + 1)] = 0.0
     if not low < high:
         return low, 0.0
-    first, end = accumulate_area(ints, floats, at, area, memory, base)
+    first, end = accumulate_area(ints, floats, at, area, low, memory, base, curves)
+    if end == 0:
+        return nan, 1.0
     memory[u(result)] = first - base
     memory[u(result + 1)] = end - base
     if first == end:
@@ -80,9 +90,12 @@ def settle_area(
 
 @flat
 def accumulate_area(
-    ints: Ints, floats: Floats, at: int, area: int, memory: Floats, base: int
+    ints: Ints, floats: Floats, at: int, area: int, low: float, memory: Floats, base: int, curves: Curves
 ) -> tuple[int, int]:
-    """Return where the accumulated polyline begins and ends; where nothing is active they are one."""
+    """Return where the accumulated polyline begins and ends; where nothing is active they are one.
+
+    `low` is the lower limit of the range. It ends at 0 where the room is too short.
+    """
     room = ints[u(area + AREA_ROOM)]
     other = base + ints[u(area + AREA_LINE)]
     line, whole = other + room, other + 2 * room
@@ -95,6 +108,13 @@ def accumulate_area(
         count = ints[u(part + 1)]
         part += 2
         line_end = line
+        if kind == GROUP_CURVED:
+            record = at + count
+            kind = ints[u(record + CURVED_KIND)]
+            line, line_end, other = curves(ints, floats, at, area, record, low, line, other, memory, base)
+            if line_end == 0:
+                return line, 0
+            count = 0
         for _ in range(count):
             target = line if line_end == line else base + ints[u(area + AREA_PART)]
             end = activate_part(ints, floats, at, area, part, target, memory, base)

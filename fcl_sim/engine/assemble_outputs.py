@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from fcl_sim.arithmetic.polyline import LEVEL_SIZE, POINT_SIZE, VERTEX_SIZE
 from fcl_sim.engine import program as p
+from fcl_sim.engine.assemble_curved import put_curved, scratch_of, vertices_of
 from fcl_sim.engine.assemble_rules import GROUP_KIND, accumulation
 from fcl_sim.engine.buffers import Buffers, word_source
 from fcl_sim.engine.formulas import depth, postfix
@@ -154,24 +155,30 @@ def _with_area(
     """Return the rest of the record of an output with areas, and how many words of memory it takes."""
     area = own.areas[output.variable.casefold()]
     pairs = max((len(part.pairs) for _, parts in area.groups for part in parts), default=0)
-    vertices = [area.counts[part.term] * (1 + len(part.pairs)) for _, parts in area.groups for part in parts]
+    vertices = [count for group in range(len(area.groups)) for count in vertices_of(output, area, group)]
     size = VERTEX_SIZE * (4 * sum(vertices) + 8)
     levels = room + 2
     part_at = levels + LEVEL_SIZE * (pairs + 1)
     line_at = part_at + VERTEX_SIZE * max(vertices, default=0)
     terms_at = line_at + size * (3 if len(area.groups) > 1 else 2)
-    moves, sources, ends, taken = _terms(buffers, own, output, area, terms_at)
+    moves, sources, ends, scratch_at = _terms(buffers, own, output, area, terms_at)
+    taken = scratch_at + scratch_of(area)
+    groups = [
+        word
+        for group, (kind, parts) in enumerate(area.groups)
+        for word in (
+            put_curved(buffers, own, area, group, sources, ends, scratch_at)
+            if area.curved[group]
+            else _group(buffers, own, GROUP_KIND[kind], parts, sources, ends)
+        )
+    ]
     record = (
         buffers.put_floats(area.limits or (0.0, 0.0)),
         int(area.limits is None),
         len(moves),
         buffers.put(word for move in moves for word in move),
         len(area.groups),
-        buffers.put(
-            word
-            for kind, parts in area.groups
-            for word in _group(buffers, own, GROUP_KIND[kind], parts, sources, ends)
-        ),
+        buffers.put(groups),
         levels,
         part_at,
         line_at,

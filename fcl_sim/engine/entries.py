@@ -12,7 +12,8 @@ from fcl_sim.engine.batch import (
     fuzzify_rows,
     visit_rows,
 )
-from fcl_sim.engine.infer import accumulate, defuzzify, infer
+from fcl_sim.engine.curved import Curves, accumulate_curved, accumulate_none
+from fcl_sim.engine.infer import accumulate, defuzzify, infer, infer_curved
 from fcl_sim.engine.program import (
     ALL_TOGETHER,
     CLAMPS,
@@ -21,8 +22,9 @@ from fcl_sim.engine.program import (
     OUTPUTS,
     RULES,
     TOGETHER,
+    Program,
 )
-from fcl_sim.jit import F4, Entry, F, I, entry, i8, signature, u, void
+from fcl_sim.jit import F4, Entry, F, I, entry, i8, kernel, signature, u, void
 
 
 @entry(signature(void, I, F, F))
@@ -38,21 +40,34 @@ EVALUATE_ONE = {"LREAL": evaluate_one, "REAL": evaluate_one_real}
 """By arithmetic."""
 
 
-@entry(signature(void, I, F, F, F, i8, i8))
-def evaluate_many(
+@entry(signature(void, I, F, F))
+def evaluate_one_curved(ints: NDArray[int64], floats: NDArray[float64], memory: NDArray[float64]) -> None:
+    """`evaluate_one` of programs with areas under norms of the Open Level."""
+    infer_curved(ints, floats, 0, memory, 0)
+
+
+_ONE_CURVED = {
+    "LREAL": evaluate_one_curved,
+    "REAL": Entry(evaluate_one_curved.function, signature(void, I, F4, F4)),
+}
+
+
+def one_for(program: Program) -> Entry:
+    """Return what evaluates a program once."""
+    return (_ONE_CURVED if program.curved else EVALUATE_ONE)[program.arithmetic]
+
+
+@kernel
+def evaluate_points(
     ints: NDArray[int64],
     floats: NDArray[float64],
     memory: NDArray[float64],
     points: NDArray[float64],
     start: int,
     stop: int,
+    curves: Curves,
 ) -> None:
-    """Evaluate points `start` to `stop`, each without the memory of another.
-
-    `points` holds the inputs one after the other, all values of the first, all
-    of the second and so on; likewise the previous values of the outputs, which
-    NC keeps, and takes the new ones; likewise it takes the flags.
-    """
+    """Evaluate points as `evaluate_many`; `curves` accumulates areas under norms of the Open Level."""
     head = ints[u(DEGREES)]
     given = head - ints[u(OUTPUTS)]
     size = points.size // max(1, head)
@@ -81,9 +96,40 @@ def evaluate_many(
             else:
                 for word in range(first, last):
                     memory[u(word)] = rows[u(word * width + point)]
-            defuzzify(ints, floats, 0, memory, 0)
+            defuzzify(ints, floats, 0, memory, 0, curves)
             for word in range(given - ints[u(OUTPUTS)], head):
                 points[u(word * size + row + point)] = memory[u(word)]
+
+
+@entry(signature(void, I, F, F, F, i8, i8))
+def evaluate_many(
+    ints: NDArray[int64],
+    floats: NDArray[float64],
+    memory: NDArray[float64],
+    points: NDArray[float64],
+    start: int,
+    stop: int,
+) -> None:
+    """Evaluate points `start` to `stop`, each without the memory of another.
+
+    `points` holds the inputs one after the other, all values of the first, all
+    of the second and so on; likewise the previous values of the outputs, which
+    NC keeps, and takes the new ones; likewise it takes the flags.
+    """
+    evaluate_points(ints, floats, memory, points, start, stop, accumulate_none)
+
+
+@entry(signature(void, I, F, F, F, i8, i8))
+def evaluate_many_curved(
+    ints: NDArray[int64],
+    floats: NDArray[float64],
+    memory: NDArray[float64],
+    points: NDArray[float64],
+    start: int,
+    stop: int,
+) -> None:
+    """`evaluate_many` of programs with areas under norms of the Open Level."""
+    evaluate_points(ints, floats, memory, points, start, stop, accumulate_curved)
 
 
 evaluate_many_real = Entry(evaluate_many.function, signature(void, I, F4, F4, F4, i8, i8))
@@ -91,3 +137,13 @@ evaluate_many_real = Entry(evaluate_many.function, signature(void, I, F4, F4, F4
 
 EVALUATE_MANY = {"LREAL": evaluate_many, "REAL": evaluate_many_real}
 """By arithmetic."""
+
+_MANY_CURVED = {
+    "LREAL": evaluate_many_curved,
+    "REAL": Entry(evaluate_many_curved.function, signature(void, I, F4, F4, F4, i8, i8)),
+}
+
+
+def many_for(program: Program) -> Entry:
+    """Return what evaluates a program over arrays."""
+    return (_MANY_CURVED if program.curved else EVALUATE_MANY)[program.arithmetic]

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.engine.entries import EVALUATE_MANY
+from fcl_sim.engine.entries import many_for
 from fcl_sim.engine.precision import PRECISIONS
 from fcl_sim.engine.program import Floats, Program
 
@@ -77,7 +77,7 @@ def checked_names(
 
 def _in_threads(program: Program, points: Floats, size: int) -> None:
     """Evaluate all points, many of them on all processors: the kernel holds no lock of the interpreter."""
-    run = EVALUATE_MANY[program.arithmetic].compile()
+    run = many_for(program).compile()
 
     def stretch(start: int, stop: int) -> None:
         run(program.ints, program.floats, program.initial.copy(), points, start, stop)

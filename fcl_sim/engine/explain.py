@@ -7,7 +7,7 @@ from enum import StrEnum
 from functools import partial
 
 from fcl_sim.engine.concluded import degree_so_far
-from fcl_sim.engine.entries import EVALUATE_ONE
+from fcl_sim.engine.entries import one_for
 from fcl_sim.engine.hedged import hedged_degree
 from fcl_sim.engine.plan_areas import algorithms, conclusions
 from fcl_sim.engine.program import Floats, Program
@@ -99,7 +99,7 @@ class Activated:
     `term` is empty where a variable without terms is concluded. `activated` is
     the rule's degree after the hedges of the conclusion. `algorithm` is that of
     activation where the term has an area: MIN cuts it off at `activated`, PROD
-    multiplies it; else it is empty.
+    multiplies it, others take both; else it is empty.
     """
 
     rule: str
@@ -232,7 +232,7 @@ def explain(block: FunctionBlock, program: Program, memory: Floats) -> Explanati
     `program` is that of `block`. Every degree is read back from the memory
     that the evaluation leaves behind.
     """
-    EVALUATE_ONE[program.arithmetic](program.ints, program.floats, memory)
+    one_for(program)(program.ints, program.floats, memory)
     reading = _Reading(counted(block), program, memory)
     return Explanation(
         name=block.name,

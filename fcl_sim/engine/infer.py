@@ -16,6 +16,7 @@ from fcl_sim.arithmetic.membership import cell_of, degree_on
 from fcl_sim.arithmetic.operators import clamped, maximum, minimum
 from fcl_sim.arithmetic.pairs import disjunction
 from fcl_sim.engine.aggregate import aggregate
+from fcl_sim.engine.curved import Curves, accumulate_curved, accumulate_none
 from fcl_sim.engine.hedged import conclude_hedged
 from fcl_sim.engine.moving import fuzzify_moved, sourced
 from fcl_sim.engine.program import (
@@ -248,7 +249,7 @@ def finish_groups(ints: Ints, at: int, output: int, memory: Floats, base: int) -
 
 
 @inlined
-def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
+def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int, curves: Curves) -> None:
     """Write each output and its flag; without an active rule, the DEFAULT or nothing (S30, S31)."""
     origin = ints[u(at + FLOATS)]
     output = at + ints[u(at + OUTPUT)]
@@ -262,7 +263,7 @@ def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) ->
             moment, weight = moments_of_singletons(floats, places, memory, degrees, terms)
             value = moment / weight if weight != 0.0 else 0.0
         else:
-            value, weight = settle(ints, floats, at, output, memory, base)
+            value, weight = settle(ints, floats, at, output, memory, base, curves)
         if weight == 0.0:
             memory[u(base + ints[u(output + OUT_ACTIVE)])] = 0.0
             if ints[u(output + OUT_KEEP)] == 0:
@@ -300,7 +301,14 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
 
     Reads the inputs and, for NC, the outputs; writes the outputs, their flags,
     the degrees of the rules and of all terms. Inputs are finite: callers see
-    to that (S37).
+    to that (S37). The program has no area under a norm of the Open Level.
     """
     accumulate(ints, floats, at, memory, base)
-    defuzzify(ints, floats, at, memory, base)
+    defuzzify(ints, floats, at, memory, base, accumulate_none)
+
+
+@inlined
+def infer_curved(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
+    """Evaluate a program with areas under norms of the Open Level once; else as `infer`."""
+    accumulate(ints, floats, at, memory, base)
+    defuzzify(ints, floats, at, memory, base, accumulate_curved)

@@ -3,7 +3,7 @@
 from math import isfinite
 from typing import Any, cast
 
-from fcl_sim.engine.entries import EVALUATE_ONE
+from fcl_sim.engine.entries import one_for
 from fcl_sim.engine.evaluate import declared_name
 from fcl_sim.engine.explain import Explanation, explain
 from fcl_sim.engine.precision import PRECISIONS, REAL
@@ -40,7 +40,7 @@ class Instance:
         self._results = {name: place for place, name in enumerate(program.output_names, program.outputs_at)}
         self._buffers = (program.ints, program.floats, self._memory)
         self._fits = isfinite if program.arithmetic == "LREAL" else _fits_real
-        self._run = EVALUATE_ONE[program.arithmetic].compile()
+        self._run = one_for(program).compile()
 
     def __call__(self, **inputs: float) -> None:
         """Evaluate once.

@@ -1,5 +1,8 @@
 """The plan of an output whose terms have areas: what is accumulated where, and room to work in.
 
+Under norms of the Open Level, every conclusion is activated by itself, but for
+those that MAX joins: there only the largest degree counts. Otherwise:
+
 Under PROD a term's activated results differ in one factor, so that one word
 accumulates it. Under MIN with MAX, those of one weight differ in the degree
 where the term is cut off; with a sum, every conclusion is cut off by itself.
@@ -11,6 +14,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import Any
 
+from fcl_sim.engine.conditions import NORM_CODE
 from fcl_sim.engine.grid import Base
 from fcl_sim.model import (
     Accumulation,
@@ -24,6 +28,8 @@ from fcl_sim.model import (
     Term,
 )
 
+EXACT = frozenset((Activation.MIN, Activation.PROD))
+"""What cuts polylines off, or lowers them."""
 Weight = float | str
 Key = tuple[Any, ...]
 
@@ -59,7 +65,8 @@ class AreaPlan:
     """How one output with areas is accumulated.
 
     `words` is how many words it takes; `targets` has the conclusions on it by
-    (rule block, rule, conclusion), `groups` its accumulations. `bases` are the
+    (rule block, rule, conclusion), `groups` its accumulations, and `curved` tells
+    which of them activate or accumulate by norms of the Open Level. `bases` are the
     terms' points within `limits`, empty where there is nothing but 0; None
     where points are moved. `limits` are None where moved points have no RANGE.
     `counts` says how many points each term has at most.
@@ -68,6 +75,7 @@ class AreaPlan:
     words: int
     targets: Mapping[tuple[int, int, int], Target]
     groups: tuple[tuple[Accumulation, tuple[Part, ...]], ...]
+    curved: tuple[bool, ...]
     limits: tuple[float, float] | None
     bases: tuple[Base, ...] | None
     counts: tuple[int, ...]
@@ -95,6 +103,10 @@ def plan_area(block: FunctionBlock, output: Defuzzification, at: int) -> AreaPla
     """Return the plan of `output`, whose accumulated words begin at `at`."""
     variable = output.variable.casefold()
     kinds, group_of = grouped(algorithms(block, variable))
+    curved = [
+        kind in NORM_CODE or not _activations(block, group_of, group) <= EXACT
+        for group, kind in enumerate(kinds)
+    ]
     names = {term.name.casefold(): number for number, term in enumerate(output.terms)}
     words: dict[Key, int] = {}
     parts: list[dict[Key, dict[int, Pair]]] = [{} for _ in kinds]
@@ -103,9 +115,9 @@ def plan_area(block: FunctionBlock, output: Defuzzification, at: int) -> AreaPla
         if each.variable.casefold() == variable and each.term is not None:
             group, term = group_of[place[0]], names[each.term.casefold()]
             kind, activation = kinds[group], rule_block.activation
-            part, key = _keys(kind, activation, term, each, place)
+            part, key = _keys(kind, activation, term, each, place, curved=curved[group])
             word = words.setdefault((group, *key), at + len(words))
-            prod = activation is Activation.PROD
+            prod = activation is Activation.PROD and not curved[group]
             parts[group].setdefault(part, {})[word] = Pair(word, activation, 1.0 if prod else each.weight)
             targets[place] = Target(word, prod and kind is not Accumulation.MAX, prod)
     shapes = [points_of(term) for term in output.terms]
@@ -119,16 +131,31 @@ def plan_area(block: FunctionBlock, output: Defuzzification, at: int) -> AreaPla
             (kind, tuple(Part(part[0], tuple(own.values())) for part, own in members.items()))
             for kind, members in zip(kinds, parts, strict=True)
         ),
+        curved=tuple(curved),
         limits=limits,
         bases=bases,
         counts=tuple(len(points) + 2 for points in shapes) if bases is None else tuple(map(len, bases)),
     )
 
 
+def _activations(block: FunctionBlock, group_of: Mapping[int, int], group: int) -> set[Activation]:
+    """Return by what the rule blocks of a group activate."""
+    return {block.rule_blocks[index].activation for index, own in group_of.items() if own == group}
+
+
 def _keys(
-    kind: Accumulation, activation: Activation, term: int, conclusion: Conclusion, place: tuple[int, int, int]
+    kind: Accumulation,
+    activation: Activation,
+    term: int,
+    conclusion: Conclusion,
+    place: tuple[int, int, int],
+    *,
+    curved: bool,
 ) -> tuple[Key, Key]:
     """Return what conclusions of one part, and of one word in it, have in common."""
+    if curved:
+        joined = kind is Accumulation.MAX
+        return (term,), (term, activation, conclusion.weight) if joined else (term, *place)
     if kind is Accumulation.MAX:
         part = (term, activation, 1.0 if activation is Activation.PROD else conclusion.weight)
         return part, part

@@ -117,12 +117,24 @@ Area record (i):
     AREA_GROUP    (i) for each: its algorithm, the number of its parts; and the parts, of varying length:
                   PART_TERM, the source of its term's points; PART_END (m) as TERM_END, or -1 - their number;
                   PART_PAIRS; then as many pairs of sources: the degree where activation cuts off the
-                  term, and what the rest is multiplied by
+                  term, and what the rest is multiplied by;
+                  or GROUP_CURVED, and where its record begins (i)
     AREA_LEVELS   (m) levels of activation
     AREA_PART     (m) the activated part
     AREA_LINE     (m) three accumulated polylines, one after the other
     AREA_ROOM     words of each
     AREA_RESULT   (m) where the accumulated area begins and ends (m)
+
+Curved accumulation (i), by norms that do not leave areas as they cut polylines (engine.curved):
+    CURVED_KIND   GROUP_MAX, GROUP_BSUM, GROUP_NSUM or GROUP_SUM; below 0, by the S-norm of which this is the
+                  T-norm
+    CURVED_TERMS, CURVED_PAIRS   numbers of terms and of pairs
+    CURVED_TRACKS (m) where the terms are followed
+    CURVED_HELD   (m) the pairs that count
+    CURVED_STACK  (m) stack of what is still to be halved
+    CURVED_FIRST … CURVED_TERM words for each term: as PART_TERM, PART_END; then CURVED_PAIR words for each
+                  pair: the number of its term, the T-norm that activates, and two sources: the degree that
+                  activates, and the weight
 
 Points are three words each (arithmetic.polyline).
 
@@ -208,13 +220,23 @@ LOOK_TERM, LOOK_TERMS, LOOK_DEGREES, LOOK_GROUPS, LOOK_KINDS, LOOK_SIZE = range(
 FORMULA_VALUE, FORMULA_STACK, FORMULA_LENGTH, FORMULA_CODE = range(4)
 TERM_AT, TERM_END, TERM_COUNT, TERM_SPOTS = range(4)
 PART_TERM, PART_END, PART_PAIRS, PART_PAIR = range(4)
+(
+    CURVED_KIND,
+    CURVED_TERMS,
+    CURVED_PAIRS,
+    CURVED_TRACKS,
+    CURVED_HELD,
+    CURVED_STACK,
+    CURVED_FIRST,
+) = range(7)
+CURVED_TERM, CURVED_PAIR = 2, 4
 
 ALL_MIN, ALL_PROD, CODE = range(3)
 NOT = -1
 AND_MIN, AND_PROD, AND_BDIF, AND_HPROD, AND_EPROD, AND_DPROD, AND_NMIN = range(-2, -9, -1)
 OR_MAX, OR_ASUM, OR_BSUM, OR_HSUM, OR_ESUM, OR_DSUM, OR_NMAX = range(-9, -16, -1)
 ONE, VERY, EXTREMELY, SOMEWHAT, SELDOM, LOOK = range(-16, -22, -1)
-GROUP_MAX, GROUP_BSUM, GROUP_NSUM, GROUP_SUM, GROUP_NORM = range(5)
+GROUP_MAX, GROUP_BSUM, GROUP_NSUM, GROUP_SUM, GROUP_NORM, GROUP_CURVED = range(6)
 BY_COGS, BY_DEGREE, BY_SINGLETONS, BY_AREA = range(4)
 METHOD_COG, METHOD_COA, METHOD_LM, METHOD_RM, METHOD_MM, METHOD_SUM = range(6)
 ONE_BY_ONE, UP_TO_RULES, ALL_TOGETHER = range(3)
@@ -266,6 +288,8 @@ class Program:
     at their initial values, declared or 0. `floats` and `initial` are of the
     program's precision. `rule_labels` are unique: led by the
     rule block's name where there are several, numbered where one repeats.
+    `curved` tells whether an area is accumulated under a norm of the Open Level:
+    that is compiled for such programs only.
     """
 
     name: str
@@ -276,6 +300,7 @@ class Program:
     output_names: tuple[str, ...]
     rule_labels: tuple[str, ...]
     layout: Layout
+    curved: bool
 
     @property
     def arithmetic(self) -> str:

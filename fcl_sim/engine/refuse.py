@@ -28,13 +28,13 @@ FLATTEST = 1e308
 HINTS = {
     "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
     "FCL408": "give base points or curves, or for outputs single values",
-    "FCL410": "take the algorithms of Tables 3, 4 and 5",
+    "FCL410": "take ACT MIN or PROD, or ACCU MAX",
+    "FCL331": "CoG, CoA, LM and RM are for areas",
     "FCL412": "give the output a RANGE, such as RANGE := (0 .. 100);",
 }
 
-ACTIVATIONS = frozenset((Activation.MIN, Activation.PROD))
-ACCUMULATIONS = frozenset((Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM, Accumulation.SUM))
-"""What areas are activated and accumulated by; singletons by all there is."""
+BENDING = frozenset((Activation.HPROD, Activation.EPROD))
+"""What makes curves of straight terms."""
 
 Finding = tuple[str, str, Span | None]
 """Code, message and place; those with one message become one diagnostic."""
@@ -116,7 +116,11 @@ def _output(output: Defuzzification) -> Iterator[Finding]:
     if output.range is not None and not max(map(abs, output.range)) < LARGEST:
         yield "FCL407", f"RANGE of `{name}` exceeds what LREAL can hold", output.span
     if output.method is Method.SUM and has_area(output):
-        yield "FCL410", f"METHOD {output.method} of areas is not evaluated yet", output.span
+        yield (
+            "FCL331",
+            f"{output.method} is a method for singletons, and these terms have an area",
+            output.span,
+        )
 
 
 def _output_curve(output: Defuzzification, term: Term, curve: Curve) -> Iterator[Finding]:
@@ -131,16 +135,17 @@ def _output_curve(output: Defuzzification, term: Term, curve: Curve) -> Iterator
 
 
 def _rule_block(block: FunctionBlock, rule_block: RuleBlock) -> Iterator[Finding]:
-    """Yield algorithms that are evaluated of singletons, where a rule concludes on an area."""
-    areas = {each.variable.casefold(): each for each in block.defuzzifications if has_area(each)}
+    """Yield where NMAX jumps at places that are not searched for."""
     concluded = {each.variable.casefold() for rule in rule_block.rules for each in rule.conclusions}
-    outputs = [output for name, output in areas.items() if name in concluded]
-    accumulations = [output.accumulation or rule_block.accumulation for output in outputs]
-    if outputs and rule_block.activation not in ACTIVATIONS:
-        yield "FCL410", f"ACT {rule_block.activation} of areas is not evaluated yet", rule_block.span
-    for each in dict.fromkeys(accumulations):
-        if each not in ACCUMULATIONS:
-            yield "FCL410", f"ACCU {each} of areas is not evaluated yet", rule_block.span
+    for output in block.defuzzifications:
+        kind, activation = output.accumulation or rule_block.accumulation, rule_block.activation
+        if (
+            (kind is Accumulation.NMAX and activation in BENDING)
+            and has_area(output)
+            and output.variable.casefold() in concluded
+        ):
+            message = f"ACCU NMAX of areas under ACT {activation} is not evaluated"
+            yield "FCL410", message, rule_block.span
 
 
 def has_area(output: Defuzzification) -> bool:

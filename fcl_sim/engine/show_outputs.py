@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from fcl_sim.engine import program as p
+from fcl_sim.engine.conditions import AND_CODE, OR_CODE
 from fcl_sim.engine.program import Program
 
 GROUPS = {
@@ -20,6 +21,8 @@ METHODS = {
     p.METHOD_MM: "MM",
     p.METHOD_SUM: "COGSS",
 }
+
+OPERATORS = {code: str(operator) for operator, code in (*AND_CODE.items(), *OR_CODE.items())}
 
 Names = Mapping[int, str]
 
@@ -90,6 +93,10 @@ def _area(area: int, program: Program, names: Names) -> Iterator[str]:
         record += p.TERM_SPOTS + p.SPOT_SIZE * count
     part = int(ints[area + p.AREA_GROUP])
     for _ in range(int(ints[area + p.AREA_GROUPS])):
+        if ints[part] == p.GROUP_CURVED:
+            yield from _curved(int(ints[part + 1]), program, names)
+            part += 2
+            continue
         yield f"      {GROUPS[int(ints[part])]}"
         count = int(ints[part + 1])
         part += 2
@@ -101,6 +108,19 @@ def _area(area: int, program: Program, names: Names) -> Iterator[str]:
             ]
             yield f"          {' + '.join(terms)} of {_points(part, program)}"
             part += p.PART_PAIR + len(pairs)
+
+
+def _curved(record: int, program: Program, names: Names) -> Iterator[str]:
+    """Yield an accumulation by norms of the Open Level."""
+    ints = program.ints
+    kind, terms, pairs = ints[record : record + 3].tolist()
+    yield f"      {GROUPS[kind] if kind >= 0 else OPERATORS[kind + p.OR_MAX - p.AND_MIN]}"
+    first = record + p.CURVED_FIRST
+    words = ints[first + p.CURVED_TERM * terms :][: p.CURVED_PAIR * pairs].reshape(-1, p.CURVED_PAIR)
+    for term, operator, degree, weight in words.tolist():
+        activated = f"{OPERATORS[operator]}({source_text(degree, program, names)}, μ)"
+        points = _points(first + p.CURVED_TERM * term, program)
+        yield f"          {source_text(weight, program, names)} · {activated} of {points}"
 
 
 def _points(part: int, program: Program) -> str:

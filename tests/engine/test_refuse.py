@@ -7,7 +7,17 @@ import pytest
 from fcl_sim.diagnostics import InputFault, Source, Span
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.evaluate import evaluate
-from fcl_sim.model import Accumulation, Curve, CurveKind, Method, Point, RuleBlock, Singletons, Term
+from fcl_sim.model import (
+    Accumulation,
+    Activation,
+    Curve,
+    CurveKind,
+    Method,
+    Point,
+    RuleBlock,
+    Singletons,
+    Term,
+)
 from tests.engine.bases import block, every, output, points, rule, singleton
 
 SOURCE = Source("base.fcl", "TERM t := 1;\nTERM u := 2;\n")
@@ -41,8 +51,16 @@ CASES = {
         "`s` of `y` is a smooth shape, and `y` has no RANGE",
     ),
     "FCL410": (
-        block({"x": INPUT}, (AREA,), replace(RULES, accumulation=Accumulation.HSUM, span=SPANS[0])),
-        "ACCU HSUM of areas is not evaluated yet",
+        block(
+            {"x": INPUT},
+            (AREA,),
+            replace(RULES, activation=Activation.EPROD, accumulation=Accumulation.NMAX, span=SPANS[0]),
+        ),
+        "ACCU NMAX of areas under ACT EPROD is not evaluated",
+    ),
+    "FCL331": (
+        block({"x": INPUT}, (replace(AREA, method=Method.SUM, span=SPANS[0]),), RULES),
+        "COGSS is a method for singletons, and these terms have an area",
     ),
 }
 

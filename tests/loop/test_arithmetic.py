@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from fcl_sim.block import loads
 from fcl_sim.loop.diagram import FuzzyNode, Node, Wire
 from fcl_sim.loop.run import empty_record, proceed, run, trace_of
 from fcl_sim.loop.state import initial_state
@@ -97,3 +98,29 @@ def test_an_input_beyond_real_ends_the_run_and_is_named():
         run(replace(drawn, nodes=(replace(huge, parameters={"gain": parse_quantity(1e36)}), *nodes))).fault
         is None
     )
+
+
+CURVED = """
+FUNCTION_BLOCK curved
+VAR_INPUT distance: LREAL; angle: LREAL; END_VAR
+VAR_OUTPUT power: LREAL; END_VAR
+FUZZIFY distance TERM near := (0, 1) (60, 0); TERM far := (0, 0) (60, 1); END_FUZZIFY
+DEFUZZIFY power TERM low := (-27, 1) (27, 0); TERM high := (-27, 0) (27, 1);
+METHOD: CoG; DEFAULT := 0; RANGE := (-27 .. 27); END_DEFUZZIFY
+RULEBLOCK r ACT: EPROD; ACCU: ASUM; RULE 1: IF distance IS near THEN power IS low;
+RULE 2: IF distance IS far THEN power IS high; END_RULEBLOCK
+END_FUNCTION_BLOCK
+"""
+
+
+@pytest.mark.parametrize("arithmetic", ["LREAL", "REAL"])
+def test_areas_under_norms_of_the_open_level_are_evaluated_in_the_loop(arithmetic):
+    drawn, _ = diagram("LREAL", arithmetic)
+    block = loads(CURVED)
+    nodes = [replace(each, block=block) if each.name == f"{RULES}1" else each for each in drawn.nodes]
+    record = run(replace(drawn, nodes=tuple(nodes))).fuzzy[f"{RULES}1"]
+    instance = block.instance(arithmetic=arithmetic)
+    for inputs, outputs in zip(record.inputs, record.outputs, strict=True):
+        instance(distance=inputs[0], angle=inputs[1])
+        assert list(instance.outputs.values()) == outputs.tolist()
+        assert -27.0 < outputs[0] < 27.0

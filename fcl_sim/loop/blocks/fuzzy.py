@@ -1,9 +1,10 @@
 """`fuzzy`: a fuzzy function block, called once per scan, in the arithmetic of its node.
 
-Each arithmetic is compiled when a tape first needs it, and called through a
-first-class function. An instance in REAL has a head in `memory`, of what a
-trace records, and its binary32 words behind that, which the kernel sees as
-`singles`; its constants stand in `floats` likewise, seen as `constants`.
+Each arithmetic, with areas under norms of the Open Level or without, is
+compiled when a tape first needs it, and called through a first-class function.
+An instance in REAL has a head in `memory`, of what a trace records, and its
+binary32 words behind that, which the kernel sees as `singles`; its constants
+stand in `floats` likewise, seen as `constants`.
 """
 
 from collections.abc import Callable
@@ -11,9 +12,9 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from fcl_sim.engine.infer import infer
+from fcl_sim.engine.infer import infer, infer_curved
 from fcl_sim.engine.program import DEGREES, RULES
-from fcl_sim.jit import F4, Entry, F, I, entry, function_type, i8, signature, u, void
+from fcl_sim.jit import F4, Entry, F, I, entry, flat, function_type, i8, signature, u, void
 from fcl_sim.loop.blocks.declaration import BlockType
 from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, PARAMETERS, STATE
 from fcl_sim.loop.work import Floats, Ints
@@ -41,15 +42,11 @@ FUZZY = BlockType(
 )
 
 
-@entry(signature(*_FUZZY))
-def evaluate_long(
-    ints: Ints,
-    floats: Floats,
-    memory: Floats,
-    constants: Singles,  # noqa: ARG001  both arithmetics take the same
-    singles: Singles,  # noqa: ARG001
-    at: int,
-) -> None:
+Infer = Callable[[Ints, Any, int, Any, int], None]
+
+
+@flat
+def call_long(ints: Ints, floats: Floats, memory: Floats, at: int, infer: Infer) -> None:
     """Call a block in LREAL."""
     inputs = ints[u(at + INPUTS)]
     signs = ints[u(at + PARAMETERS)]
@@ -59,9 +56,9 @@ def evaluate_long(
     infer(ints, floats, ints[u(at + FIRST_INPUT + inputs + PROGRAM)], memory, instance)
 
 
-@entry(signature(*_FUZZY))
-def evaluate_real(
-    ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
+@flat
+def call_real(
+    ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int, infer: Infer
 ) -> None:
     """Call a block in REAL: its inputs are rounded, and what it computes is copied to its head."""
     inputs = ints[u(at + INPUTS)]
@@ -80,15 +77,66 @@ def evaluate_real(
 
 
 @entry(signature(*_FUZZY))
+def evaluate_long(
+    ints: Ints,
+    floats: Floats,
+    memory: Floats,
+    constants: Singles,  # noqa: ARG001  all take the same
+    singles: Singles,  # noqa: ARG001
+    at: int,
+) -> None:
+    """Call a block in LREAL that has no areas under norms of the Open Level."""
+    call_long(ints, floats, memory, at, infer)
+
+
+@entry(signature(*_FUZZY))
+def evaluate_long_curved(
+    ints: Ints,
+    floats: Floats,
+    memory: Floats,
+    constants: Singles,  # noqa: ARG001
+    singles: Singles,  # noqa: ARG001
+    at: int,
+) -> None:
+    """Call any block in LREAL."""
+    call_long(ints, floats, memory, at, infer_curved)
+
+
+@entry(signature(*_FUZZY))
+def evaluate_real(
+    ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
+) -> None:
+    """Call a block in REAL that has no areas under norms of the Open Level."""
+    call_real(ints, floats, memory, constants, singles, at, infer)
+
+
+@entry(signature(*_FUZZY))
+def evaluate_real_curved(
+    ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
+) -> None:
+    """Call any block in REAL."""
+    call_real(ints, floats, memory, constants, singles, at, infer_curved)
+
+
+@entry(signature(*_FUZZY))
 def evaluate_nothing(
     ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
 ) -> None:
     """Do nothing, where no block is in this arithmetic."""
 
 
-def fuzzy_for(arithmetics: set[str]) -> tuple[Entry, Entry]:
-    """Return what calls the blocks of a tape in LREAL, and in REAL."""
+def fuzzy_for(kinds: set[tuple[str, bool]]) -> tuple[Entry, Entry]:
+    """Return what calls the blocks of a tape in LREAL, and in REAL.
+
+    `kinds` are their arithmetics, each with whether a program there is curved.
+    """
+
+    def chosen(arithmetic: str, plain: Entry, curved: Entry) -> Entry:
+        if (arithmetic, True) in kinds:
+            return curved
+        return plain if (arithmetic, False) in kinds else evaluate_nothing
+
     return (
-        evaluate_long if "LREAL" in arithmetics else evaluate_nothing,
-        evaluate_real if "REAL" in arithmetics else evaluate_nothing,
+        chosen("LREAL", evaluate_long, evaluate_long_curved),
+        chosen("REAL", evaluate_real, evaluate_real_curved),
     )
