@@ -13,7 +13,6 @@ from fcl_sim.loop.blocks.fuzzy import fuzzy_for
 from fcl_sim.loop.clock import scan_starts
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node
 from fcl_sim.loop.execute import further_for
-from fcl_sim.loop.integer import IntegerBlock
 from fcl_sim.loop.node_layout import NodeLayout, Outside, lay_out, outside_of
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.loop.settings import signals_of
@@ -32,7 +31,7 @@ class Tape:
     of memory (first slot, length) make the columns of the record; `instances`
     where the memory of each fuzzy block begins. `further` executes the rows that
     the loop does not, `fuzzy` the fuzzy blocks in LREAL, and those in REAL;
-    `outside` are the blocks in Python, and the fuzzy ones in INT.
+    `outside` are the blocks in Python.
     """
 
     wiring: Wiring
@@ -47,7 +46,7 @@ class Tape:
     instances: Mapping[str, int]
     further: Entry
     fuzzy: tuple[Entry, Entry]
-    outside: Mapping[str, Outside | IntegerBlock]
+    outside: Mapping[str, Outside]
 
     def column(self, slot: int) -> int:
         """Return the column of the record that holds memory slot `slot`; ValueError if none does."""
@@ -98,7 +97,7 @@ def lower(wiring: Wiring, run: int = 0) -> Tape:
         wiring=wiring,
         ints=buffer,
         floats=numbers,
-        memory=_initial_memory(diagram, memory, layouts, rows.outside),
+        memory=_initial_memory(diagram, memory, layouts),
         x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
         p=np.array(
             [diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters],
@@ -140,11 +139,11 @@ class _Buffer:
 
 @dataclass(frozen=True, slots=True)
 class _Rows:
-    """What the rows add to the head, the opcodes in them, the blocks outside, the constants in binary32."""
+    """What the rows add to the head, the opcodes in them, the blocks in Python, the constants in binary32."""
 
     head: dict[int, int]
     opcodes: list[int]
-    outside: dict[str, Outside | IntegerBlock]
+    outside: dict[str, Outside]
     singles: dict[int, Constants]
 
 
@@ -157,7 +156,7 @@ def _share_out(
 ) -> _Memory:
     names = list(diagram.plant.signals)
     names += [name for node in order if isinstance(node, Node) for name in signals_of(node)]
-    names += [node.name for node in order if isinstance(node, FuzzyNode) and (node.in_real or node.in_int)]
+    names += [node.name for node in order if isinstance(node, FuzzyNode) and node.in_real]
     slots = {name: slot for slot, name in enumerate(names)}
     signals = size = len(names)
     states: dict[str, int] = {}
@@ -219,7 +218,7 @@ def _row_words(
     programs: dict[int, int] = {}
     singles: dict[int, Constants] = {}
     for node in wiring.order:
-        if isinstance(node, FuzzyNode) and not node.in_int and id(node.program) not in programs:
+        if isinstance(node, FuzzyNode) and id(node.program) not in programs:
             program = node.program
             if node.in_real:
                 at = floats.append([0.0] * -(-program.floats.size // 2))
@@ -228,19 +227,15 @@ def _row_words(
             else:
                 programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
     rows_at = len(ints)
-    opcodes: list[int] = []
-    outside: dict[str, Outside | IntegerBlock] = {}
+    opcodes, outside = [], {}
     for node in wiring.order:
         if isinstance(node, FuzzyNode):
             opcode, state = OPCODES["fuzzy"], memory.instances[node.name]
             wires = [wiring.resolve(node.inputs[port]) for port in node.block.program.input_names]
             inputs = [memory.slots[each.source] for each in wires]
-            words: Sequence[int] = [programs.get(id(node.program), -1), -1, -1]
+            words: Sequence[int] = [programs[id(node.program)], -1, -1]
             if node.in_real:
                 words = [words[0], 2 * (state + node.program.recorded), memory.slots[node.name]]
-            elif node.in_int:
-                opcode, check = OPCODES["python"], memory.slots[node.name]
-                outside[node.name] = IntegerBlock(len(ints), node, state, check, node.integer_instance())
             numbers: Sequence[float] = [each.sign for each in wires]
         else:
             laid, opcode, state = layouts[node.name], OPCODES[node.type], memory.states[node.name]
@@ -283,21 +278,13 @@ def _segments(diagram: Diagram, memory: _Memory) -> tuple[tuple[int, int], ...]:
     return ((0, memory.signals), *fuzzy)
 
 
-def _initial_memory(
-    diagram: Diagram,
-    memory: _Memory,
-    layouts: Mapping[str, NodeLayout],
-    outside: Mapping[str, Outside | IntegerBlock],
-) -> Floats:
+def _initial_memory(diagram: Diagram, memory: _Memory, layouts: Mapping[str, NodeLayout]) -> Floats:
     initial = np.zeros(memory.size)
     plant = diagram.plant
     for each in plant.model.declaration.inputs:
         initial[memory.slots[f"{plant.name}.{each.name}"]] = each.start
     for node in diagram.nodes:
-        block = outside.get(node.name)
-        if isinstance(block, IntegerBlock):
-            block.record(block.instance, initial)
-        elif isinstance(node, FuzzyNode):
+        if isinstance(node, FuzzyNode):
             at, program = memory.instances[node.name], node.program
             if node.in_real:
                 initial[at : at + program.recorded] = program.initial[: program.recorded]
