@@ -1,6 +1,6 @@
 """The page on blocks, made from their declarations."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import isinf
 from typing import Any
 
@@ -42,7 +42,7 @@ def _block(block: BlockType) -> Iterator[str]:
     yield from ("", f"### {block.name}", "", f"{block.summary[0].upper()}{block.summary[1:]}.", "")
     yield f"    {block.equation}"
     yield from ("", f"Source: {block.source}.{_late(block)}")
-    rows = [*map(_input, block.inputs), *map(_parameter, block.parameters)]
+    rows = [*map(_input, block.inputs), *_alike((each.name, _parameter(each)) for each in block.parameters)]
     if block.group:
         rows.insert(len(block.inputs), _group(block.group))
     if rows:
@@ -51,7 +51,17 @@ def _block(block: BlockType) -> Iterator[str]:
         len(block.outputs) > 1 or any(each.name for each in block.outputs)
     ):
         yield from ("", "| output | | unit |", "|---|---|---|")
-        yield from (f"| `{each.name}` | {each.meaning} | {_unit(each.unit)} |" for each in block.outputs)
+        yield from _alike((each.name, f"| {each.meaning} | {_unit(each.unit)} |") for each in block.outputs)
+
+
+def _alike(rows: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """Yield rows of a table, each name before what it is; names of the same stand in one row."""
+    names: dict[str, list[str]] = {}
+    for name, told in rows:
+        names.setdefault(told, []).append(f"`{name}`")
+    for told, (first, *others) in names.items():
+        several = [first, *others] if len(others) < 3 else [first, others[0], "..", others[-1]]
+        yield f"| {', '.join(several).replace(', .., ', ' .. ')} {told}"
 
 
 def _late(block: BlockType) -> str:
@@ -78,7 +88,7 @@ def _parameter(each: BlockParameter) -> str:
     told = (
         f"{each.meaning}{words.get(each.kind, '')}{'; may be a signal' if each.port else ''}{_bounds(each)}"
     )
-    return f"| `{each.name}` | {told} | {unit} | {_default(each.default)} |"
+    return f"| {told} | {unit} | {_default(each.default)} |"
 
 
 def _bounds(each: BlockParameter) -> str:

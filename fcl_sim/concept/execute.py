@@ -46,7 +46,7 @@ from fcl_sim.concept.operators import (
     sum_real,
 )
 from fcl_sim.concept.sterm import STERM_INT, STERM_REAL, sterm_int, sterm_real
-from fcl_sim.jit import F4, I, entry, i8, kernel, signature
+from fcl_sim.jit import F4, I, entry, flat, i8, signature
 
 TABLE: tuple[BlockType, ...] = (
     ATERM_INT, ATERM_REAL, ATERM_STI, ATERM_STR, STERM_INT, STERM_REAL,
@@ -56,7 +56,7 @@ TABLE: tuple[BlockType, ...] = (
 """Block types by opcode."""
 
 
-@kernel
+@flat
 def run_int(opcode: int, inputs: Ints, count: int, outputs: Ints, rounding: int) -> int:
     """Run a block in INT arithmetic; return its event's number."""
     if opcode == 0:
@@ -86,8 +86,8 @@ def execute_int(opcode: int, inputs: Ints, count: int, outputs: Ints, rounding: 
     return run_int(opcode, inputs, count, outputs, rounding)
 
 
-@entry(signature(i8, i8, F4, i8, F4))
-def execute_real(opcode: int, inputs: NDArray[float32], count: int, outputs: NDArray[float32]) -> int:
+@flat
+def run_real(opcode: int, inputs: NDArray[float32], count: int, outputs: NDArray[float32]) -> int:
     """Run a block in REAL arithmetic, which is binary32; return its event's number."""
     if opcode == 1:
         event = aterm_real(inputs, count, outputs)
@@ -108,3 +108,9 @@ def execute_real(opcode: int, inputs: NDArray[float32], count: int, outputs: NDA
     else:
         event = defuz_str(inputs, count, outputs)
     return event
+
+
+@entry(signature(i8, i8, F4, i8, F4))
+def execute_real(opcode: int, inputs: NDArray[float32], count: int, outputs: NDArray[float32]) -> int:
+    """Run a block as `run_real`."""
+    return run_real(opcode, inputs, count, outputs)

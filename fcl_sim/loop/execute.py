@@ -12,6 +12,7 @@ from functools import cache
 from fcl_sim.jit import Entry, F, I, f8, function_type, i8, inlined, signature, u, void
 from fcl_sim.loop.blocks import (
     calculation,
+    concept,
     controllers,
     delays,
     dynamics,
@@ -86,7 +87,7 @@ def keep_late(ints: Ints, floats: Floats, memory: Floats) -> None:
         at += 3
 
 
-FIRST_FAMILY, FAMILIES = 1, 8
+FIRST_FAMILY, FAMILIES = 1, 9
 
 
 @cache
@@ -98,7 +99,7 @@ def further_with(families: frozenset[int]) -> Entry:
     """
     has = [number in families for number in range(FIRST_FAMILY, FIRST_FAMILY + FAMILIES)]
     has_calculation, has_nonlinear, has_delays, has_sources = has[:4]
-    has_dynamics, has_controllers, has_routing, has_expression = has[4:]
+    has_dynamics, has_controllers, has_routing, has_expression, has_concept = has[4:]
 
     def execute_further(
         opcode: int,
@@ -129,6 +130,8 @@ def further_with(families: frozenset[int]) -> Entry:
             routing.execute(code, row)
         elif has_expression and family == 8:
             expression.execute(code, row)
+        elif has_concept and family == 9:
+            concept.execute(code, row)
 
     return Entry(execute_further, signature(*_FURTHER))
 

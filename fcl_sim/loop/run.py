@@ -6,6 +6,7 @@ from fcl_sim.loop import layout
 from fcl_sim.loop.diagram import Diagram, FuzzyNode
 from fcl_sim.loop.linked import linked
 from fcl_sim.loop.outside import execute_outside
+from fcl_sim.loop.reported import events_of, refused
 from fcl_sim.loop.simulate import simulate
 from fcl_sim.loop.state import RunState, initial_state
 from fcl_sim.loop.tape import Tape, lower
@@ -85,6 +86,7 @@ def _trace(tape: Tape, record: Values, progress: Ints, memory: Values) -> Trace:
         values=values,
         fuzzy=fuzzy,
         fault=_fault(tape, progress, memory),
+        events=events_of(tape, record),
     )
 
 
@@ -114,7 +116,7 @@ def _fault(tape: Tape, progress: Ints, memory: Values) -> Fault | None:
         tick = int(tape.starts[samples])
         if name in tape.instances:
             return _beyond_real(tape, name, memory, tick)
-        return Fault(tick, name, f"`{name}` {REASONS[status]}")
+        return refused(tape, name, memory, tick) or Fault(tick, name, f"`{name}` {REASONS[status]}")
     tick = int(tape.starts[max(0, samples - 1)])
     if status == layout.CHATTERS:
         name = declaration.events[index].name

@@ -36,13 +36,26 @@ class Fault:
     reason: str
 
 
+@dataclass(frozen=True, slots=True)
+class BlockEvent:
+    """What a block reported, as a PLC enters it into its diagnostic buffer: the first of scans in a row.
+
+    `tick` is the time in nanoseconds, `name` that of the event; with a `warning` the block ran.
+    """
+
+    tick: int
+    block: str
+    name: str
+    warning: bool
+
+
 @dataclass(frozen=True, eq=False)
 class Trace:
     """Samples of one run, at its scans, the end included.
 
     `ticks` (n,) nanoseconds; `values` (n, signals) in the order of `names`;
     `units` the unit of each signal. `fault` is set when the run ended early;
-    the samples up to there are kept.
+    the samples up to there are kept. `events` are what blocks reported, in the order of time.
     """
 
     ticks: NDArray[np.int64]
@@ -51,6 +64,15 @@ class Trace:
     values: Values
     fuzzy: Mapping[str, FuzzyRecord] = field(default_factory=dict)
     fault: Fault | None = None
+    events: tuple[BlockEvent, ...] = ()
+
+    @property
+    def events_by_kind(self) -> tuple[tuple[BlockEvent, ...], ...]:
+        """The events, those of one block and name together, by the time of the first."""
+        kinds: dict[tuple[str, str], list[BlockEvent]] = {}
+        for each in self.events:
+            kinds.setdefault((each.block, each.name), []).append(each)
+        return tuple(map(tuple, kinds.values()))
 
     @property
     def time(self) -> Values:

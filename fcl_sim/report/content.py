@@ -134,7 +134,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
 def _sections(outcome: Outcome, register: Register) -> list[Data]:
     runs = list(outcome.variants.values())
     parts = [("All runs", "", pictures.all_runs(outcome))]
-    parts += [(_run_title(outcome, run), _run_text(outcome, run), pictures.over_time(run)) for run in runs]
+    parts += [(_run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
     maps = [each for run in runs for each in characteristics.over_inputs(run)]
     parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
     return [
@@ -168,12 +168,16 @@ def _run_title(outcome: Outcome, run: Run) -> str:
     return f"Run {run.variant}: {run.title}" if named else f"Run {run.variant}"
 
 
-def _run_text(outcome: Outcome, run: Run) -> str:
-    """Return what sets a run apart from the base run, and why it ended early where it did."""
+def run_text(outcome: Outcome, run: Run) -> str:
+    """Return what sets a run apart from the base run, what blocks reported, why it ended early if it did."""
     sentences = []
     unlike = [] if run is outcome.base else differences(outcome.base.diagram, run.diagram)
     if unlike:
         sentences.append(f"Unlike the base run: {'; '.join(unlike)}.")
+    for first, *more in run.trace.events_by_kind:
+        times = f"{len(more) + 1} times, first" if more else "once,"
+        at = with_unit(first.tick / 1e9, "s", 9)
+        sentences.append(f"{one_line(first.block)} reported {first.name} {times} at {at}.")
     fault = run.trace.fault
     if fault is not None:
         at = with_unit(fault.tick / 1e9, "s", 9)

@@ -116,6 +116,16 @@ def _run(run: Run) -> Json:
         "fault": None
         if fault is None
         else {"time_ns": fault.tick, "signal": fault.signal, "reason": fault.reason},
+        "events": [
+            {
+                "block": each[0].block,
+                "event": str(each[0].name),
+                "warning": each[0].warning,
+                "times": len(each),
+                "first_ns": each[0].tick,
+            }
+            for each in run.trace.events_by_kind
+        ],
         "requirements": [_verdict(each) for each in run.verdicts],
     }
 

@@ -168,10 +168,14 @@ class ScenarioFile(Table):
 
 
 @cache
+def model_of(kind: str) -> type[Table]:
+    """Return the shape of a kind of block, by type; made when first needed, for it takes milliseconds."""
+    return FuzzyTable if kind == FUZZY else block_model(BLOCKS[kind])
+
+
 def block_models() -> Mapping[str, type[Table]]:
     """Return the shape of each kind of block, by type, made from the loop's own table."""
-    models = {name: block_model(block) for name, block in BLOCKS.items() if name != FUZZY}
-    return MappingProxyType({**models, FUZZY: FuzzyTable})
+    return MappingProxyType({kind: model_of(kind) for kind in BLOCKS})
 
 
 GROUPS: Mapping[str, Any] = {

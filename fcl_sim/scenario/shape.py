@@ -9,8 +9,9 @@ from pydantic_core import ErrorDetails
 
 from fcl_sim.diagnostics import Diagnostic, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.loop.blocks import BLOCKS
 from fcl_sim.scenario.fields import kind
-from fcl_sim.scenario.schema import FUZZY, Table, block_models
+from fcl_sim.scenario.schema import FUZZY, Table, model_of
 from fcl_sim.toml.tree import Entry, finding
 
 Location = tuple[int | str, ...]
@@ -39,12 +40,11 @@ def block_faults(block: Entry, name: str) -> list[Diagnostic]:
     type_ = block.get("type")
     if type_ is None or not isinstance(type_.value, str):
         return []
-    models = block_models()
-    if type_.value not in models:
-        near = nearest(type_.value, models)
-        hint = f"did you mean `{near}`?" if near else f"there are {listed(sorted(models))}"
+    if type_.value not in BLOCKS:
+        near = nearest(type_.value, BLOCKS)
+        hint = f"did you mean `{near}`?" if near else f"there are {listed(sorted(BLOCKS))}"
         return [finding("SCN302", f"there is no kind of block called `{type_.value}`", type_, hint)]
-    return shape_faults(models[type_.value], block, f"`{name}`")
+    return shape_faults(model_of(type_.value), block, f"`{name}`")
 
 
 def flat(block: Entry) -> Entry:

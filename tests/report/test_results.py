@@ -2,9 +2,12 @@
 
 import json
 import math
+from dataclasses import replace
 
 from fcl_sim.judge.verdict import Status
+from fcl_sim.loop.trace import BlockEvent
 from fcl_sim.report import document
+from fcl_sim.report.content import run_text
 from fcl_sim.report.results import text
 from fcl_sim.report.summary import overall, rows, sentence
 from tests.report.synthetic import of_formula, outcome, run, verdict
@@ -51,6 +54,20 @@ def test_a_fault_is_told(tmp_path):
         "signal": "crane.distance",
         "reason": "the integrator cannot reach its tolerance",
     }
+
+
+def test_what_blocks_reported_is_told_once_for_each_block_and_event(tmp_path):
+    given = run(tmp_path)
+    late, early = BlockEvent(9 * 10**9, "press", "OVERFLOW", False), BlockEvent(10**9, "temp", "W", True)
+    events = (early, late, replace(late, tick=12 * 10**9))
+    made = outcome(tmp_path, replace(given, trace=replace(given.trace, events=events)))
+    assert document([made])["scenarios"][0]["variants"][0]["events"] == [
+        {"block": "temp", "event": "W", "warning": True, "times": 1, "first_ns": 10**9},
+        {"block": "press", "event": "OVERFLOW", "warning": False, "times": 2, "first_ns": 9 * 10**9},
+    ]
+    told = run_text(made, made.base).replace("\N{NO-BREAK SPACE}", " ")
+    assert told == "temp reported W once, at 1 s. press reported OVERFLOW 2 times, first at 9 s."
+    assert document([outcome(tmp_path, given)])["scenarios"][0]["variants"][0]["events"] == []
 
 
 def test_what_json_has_no_number_for_is_null(tmp_path):

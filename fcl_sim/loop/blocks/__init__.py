@@ -2,7 +2,7 @@
 
 In: signals in the loop's memory. Out: signals. A block's opcode is the place of
 its family in FAMILIES and its row in the family's table; `loop.execute`
-dispatches on it. May import engine, units, jit and the loop's layout and row.
+dispatches on it. May import engine, concept, units, jit and the loop's layout and row.
 Tests: tests/loop/blocks, tests/loop/test_blocks.py, which walks the tables.
 """
 
@@ -11,6 +11,7 @@ from types import MappingProxyType
 
 from fcl_sim.loop.blocks import (
     calculation,
+    concept,
     controllers,
     delays,
     dynamics,
@@ -40,6 +41,7 @@ FAMILIES = (
     Family(name="controllers", title="Controllers", table=controllers.TABLE, execute=controllers.execute),
     Family(name="routing", title="Choosing and sharing out", table=routing.TABLE, execute=routing.execute),
     Family(name="expression", title="Formulae", table=expression.TABLE, execute=expression.execute),
+    Family(name="concept", title="Concept's FUZZY library", table=concept.TABLE, execute=concept.execute),
 )
 """Block types by family; the opcode of a block is CODES times the row of its family, plus its own."""
 

@@ -165,6 +165,9 @@ class BlockType:
     that they close no algebraic loop. `check` yields what is wrong with
     parameters beyond their bounds; `legible`, given the parameters as written,
     what is wrong with a file or text, before any unit is looked at.
+    `refusal`, given the signals that it read by port, returns the port at which a value
+    is of no use, so that the kernel gave NaN, and what that port takes. `events`
+    names the numbers of an output `event`, from 1; 0 is none, negative a warning.
     """
 
     name: str
@@ -181,6 +184,8 @@ class BlockType:
     late: tuple[str, ...] | Callable[[Setting], tuple[str, ...]] = ()
     check: Callable[[Setting], Iterator[Misfit]] | None = None
     legible: Callable[[Mapping[str, Any]], Iterator[Misfit]] | None = None
+    refusal: Callable[[Mapping[str, float]], tuple[str, str] | None] | None = None
+    events: tuple[str, ...] = ()
 
     @property
     def ports(self) -> tuple[BlockParameter, ...]:
