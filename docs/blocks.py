@@ -30,7 +30,7 @@ def page() -> str:
     """Return the page."""
     lines = [HEAD]
     for family in FAMILIES:
-        lines += [f"| [`{block.name}`](#{block.name}) | {block.summary} |" for block in family.table]
+        lines += [f"| [`{block.name}`](#{block.name.lower()}) | {block.summary} |" for block in family.table]
     for family in FAMILIES:
         lines += ["", f"## {family.title}"]
         for block in family.table:

@@ -6,6 +6,7 @@ from textwrap import dedent
 import numpy as np
 import pytest
 
+from fcl_sim.diagnostics import InputFault
 from fcl_sim.loop.run import run
 from fcl_sim.scenario.binder import bind
 from fcl_sim.scenario.reader import read
@@ -114,3 +115,26 @@ def test_the_values_may_have_their_units_in_real(valve):
     assert trace.units["controller.valve.Y"] == "%"
     expected = np.array([by_or for _, by_or, _ in POINTS])
     assert trace["controller.position"] == pytest.approx(0.01 * expected, abs=0.0121)
+
+
+def test_a_structure_is_wired_by_its_members(valve):
+    text = re.sub(r"temp\.MD(\d)", r"temp.MD.term\1", CONTROLLER)
+    text = re.sub(r"(temp +=.*)FUZ_ATERM_INT", r"\1FUZ_ATERM_STI", text)
+    members = ", ".join(f'"temp.MD.{member}"' for member in ("n", "term1", "term2", "term3", "term4"))
+    places = "S1 = 5000, S2 = 6500, S3 = 8000, S4 = 9500"
+    text = text.replace(
+        "[blocks]\n", f'[blocks]\nback = {{ type = "DEFUZ_STI", MD = [{members}], {places} }}\n'
+    )
+    trace = valve(text)
+    assert trace.fault is None
+    assert trace.events == ()
+    assert trace["controller.valve.Y"].tolist() == [by_or for _, by_or, _ in POINTS]
+    assert trace["controller.back.Y"] == pytest.approx([point[1] for point, _, _ in POINTS], abs=1.0)
+
+
+def test_a_pin_that_cannot_be_is_told_with_its_place(valve):
+    with pytest.raises(InputFault) as caught:
+        valve(CONTROLLER.replace("S2 = 4000", "S2 = 4000.5"))
+    assert "`controller.press`: `S2` cannot be 4000.5" in str(caught.value)
+    assert "valve.controller.toml:14" in str(caught.value)
+    assert "it is INT, a whole number from -32768 to 32767" in str(caught.value)
