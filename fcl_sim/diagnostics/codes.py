@@ -161,6 +161,7 @@ CODES: dict[str, str] = {
     "SCN308": "a signal does not have the unit that an input declares",
     "SCN309": "a plant has no such parameter or state",
     "SCN310": "a parameter of a plant is out of its range",
+    "SCN311": "numbers make no linear plant",
     "SCN401": "a requirement does not have one known metric",
     "SCN402": "an argument of a metric is unknown or missing",
     "SCN403": "a requirement names a signal that does not exist",

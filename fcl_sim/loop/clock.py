@@ -23,6 +23,11 @@ def scan_starts(timing: Timing, run: int = 0) -> NDArray[np.int64]:
     return due
 
 
+def most_under_way(timing: Timing, delay: int) -> int:
+    """Return how many writes can be on their way at once, where each takes `delay` nanoseconds."""
+    return (delay + timing.jitter) // timing.scan + 2
+
+
 def check(timing: Timing) -> None:
     """Raise InputFault where the times of a loop contradict each other."""
     if timing.scan <= 0:

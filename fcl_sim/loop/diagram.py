@@ -127,3 +127,8 @@ class Diagram:
     aliases: Mapping[str, Wire] = field(default_factory=dict)
     timing: Timing
     integration: Integration = field(default_factory=Integration)
+
+    @property
+    def exact(self) -> bool:
+        """Whether the plant is linear and moved exactly, whatever `integration` says."""
+        return self.plant.model.delay is not None

@@ -4,12 +4,20 @@ An event happens when its function goes from at or before zero to beyond it, in
 its direction. One that has happened is armed again when its function is back:
 one that stays beyond zero happens once, one whose transition puts its function
 back to zero, as a bounce does, can happen again at once.
+
+Events are looked for at the end of a step and, with step control, within it:
+in the middle, on the cubic through both ends, and where the parabola through
+the beginning, the middle and the end of an event's function is highest. So an
+event whose function goes beyond zero and back within one step is found where it
+is nearly a parabola there; where it turns more than once in a step, as the
+solution then hardly does, it may not be. A scheme with a fixed step looks at
+the ends of steps alone: the step that is asked for bounds what is not seen.
 """
 
 from fcl_sim.jit import flat, inlined, u
-from fcl_sim.loop.layout import CHATTERS, DIRECTIONS_AT, EVENTS
+from fcl_sim.loop.layout import CHATTERS, DIRECTIONS_AT, EVENTS, STATES
 from fcl_sim.loop.step import attempt
-from fcl_sim.loop.work import ARMED, HAPPENED, INDEX, MODE, STATUS, Floats, Ints, Plant, Work
+from fcl_sim.loop.work import ARMED, HAPPENED, INDEX, MODE, STATUS, Floats, Ints, Plant, Work, row_of
 
 MAX_EVENTS = 1_000
 """Events between two writes beyond which a plant chatters."""
@@ -44,6 +52,67 @@ def look(plant: Plant, work: Work, t: float, x: Floats, g: Floats) -> int:
     """Take the events' functions at x; return the first armed event beyond zero, -1 where there is none."""
     plant.events(t, x, work.held, work.p, work.progress[u(MODE)], g)
     return first_beyond(work.ints, g, work.progress)
+
+
+@inlined
+def summit(before: float, between: float, after: float) -> float:
+    """Return where in (0, 1) a parabola through its values at 0, 1/2 and 1 is above 0, else 1.
+
+    Before and after it is not. Above it is in the middle, or where it is highest.
+    """
+    if between > 0.0:
+        return 0.5
+    slope, bend = 4.0 * between - 3.0 * before - after, 2.0 * (before + after) - 4.0 * between
+    if slope > 0.0 and slope + 2.0 * bend < 0.0 and before - slope * slope / (4.0 * bend) > 0.0:
+        return slope / (-2.0 * bend)
+    return 1.0
+
+
+@flat
+def within(plant: Plant, work: Work, t: float, h: float) -> float:
+    """Return at what part of a step with step control an armed event may stand beyond zero, 1 if at none.
+
+    Of events that do so at its end nothing is said.
+    """
+    ints, rows, middle = work.ints, work.rows, work.middle
+    at = row_of(0, ints[u(STATES)])
+    for i in range(ints[u(STATES)]):
+        bow = 0.125 * h * (rows[u(at + i)] - work.dx[u(i)])
+        middle[u(i)] = 0.5 * (work.x[u(i)] + work.trial[u(i)]) + bow
+    plant.events(t + 0.5 * h, middle, work.held, work.p, work.progress[u(MODE)], work.gm)
+    armed = work.progress[u(ARMED)]
+    directions = ints[u(DIRECTIONS_AT)]
+    first = 1.0
+    for i in range(ints[u(EVENTS)]):
+        sign = float(ints[u(directions + i)])
+        before, after = sign * work.g0[u(i)], sign * work.g1[u(i)]
+        if (armed >> i) & 1 and before <= 0.0 and after <= 0.0:
+            first = min(first, summit(before, sign * work.gm[u(i)], after))
+    return first
+
+
+@flat
+def crossed(plant: Plant, work: Work, t: float, h: float, inside: bool) -> tuple[float, int]:  # noqa: FBT001  a kernel
+    """Return the part of the step h at whose end an event just happened, and that event; 1 and -1 if none.
+
+    `trial` and g1 then belong to that part. Looked for at the end of the step
+    and, if `inside`, within it.
+    """
+    event = look(plant, work, t + h, work.trial, work.g1)
+    part = within(plant, work, t, h) if inside else 1.0
+    if part < 1.0:
+        attempt(plant, work, t, part * h)
+        found = look(plant, work, t + part * h, work.trial, work.g1)
+        if found >= 0:
+            event = found
+        else:
+            part = 1.0
+            attempt(plant, work, t, h)
+            plant.events(t + h, work.trial, work.held, work.p, work.progress[u(MODE)], work.g1)
+    if event < 0:
+        return 1.0, -1
+    cut, event = locate(plant, work, t, part * h, event)
+    return part * cut, event
 
 
 @flat

@@ -9,7 +9,7 @@ step is cut there and restarted (`loop.events`).
 from math import ceil, inf
 
 from fcl_sim.jit import inlined, u
-from fcl_sim.loop.events import locate, look, rearm, settle
+from fcl_sim.loop.events import crossed, look, rearm, settle
 from fcl_sim.loop.layout import (
     ADAPTIVE,
     BLEW_UP,
@@ -113,9 +113,7 @@ def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
             continue
         event, part = -1, 1.0
         if ints[u(EVENTS)] > 0:
-            event = look(plant, work, t + done + h, work.trial, work.g1)
-            if event >= 0:
-                part, event = locate(plant, work, t + done, h, event)
+            part, event = crossed(plant, work, t + done, h, adaptive)
             rearm(ints, work.g1, progress)
         carry(work)
         done = length if pieces == 1.0 and part == 1.0 else done + part * h

@@ -61,7 +61,12 @@ KEEPS = 24
 KEEPS_AT = 25
 """Where in `ints` they stand, each as slot, where in `floats` its sign stands, slot of what is kept."""
 
-HEAD = 26
+UNDER_WAY = 26
+"""For a linear plant, which is moved exactly, how many writes can be on their way; else 0."""
+DELAY = 27
+"""Nanoseconds until a write arrives in the last states of a linear plant."""
+
+HEAD = 28
 """Words of the head."""
 
 RTOL, FIXED_STEP, CYCLE, EXPONENT = 0, 1, 2, 3

@@ -53,7 +53,8 @@ def _plant(wiring: Wiring) -> Iterator[str]:
     yield f"plant {plant.name}: {plant.model.declaration.title}"
     for name, each in plant.inputs.items():
         yield f"  {name} = {_source(wiring, each)}, held between writes"
-    yield f"  integrated by {wiring.diagram.integration.scheme}, one scan every {timing.scan / 1e9:g} s"
+    scheme = "exactly" if wiring.diagram.exact else f"by {wiring.diagram.integration.scheme}"
+    yield f"  integrated {scheme}, one scan every {timing.scan / 1e9:g} s"
 
 
 def _signals(wiring: Wiring) -> Iterator[str]:

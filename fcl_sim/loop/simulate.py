@@ -7,6 +7,7 @@ import numpy as np
 from fcl_sim.jit import F4, FF, F, I, entry, i8, inlined, signature, u
 from fcl_sim.loop.blocks.fuzzy import Singles
 from fcl_sim.loop.events import rearm
+from fcl_sim.loop.exact import advance_exactly, send
 from fcl_sim.loop.execute import execute
 from fcl_sim.loop.integrate import advance
 from fcl_sim.loop.layout import (
@@ -29,6 +30,7 @@ from fcl_sim.loop.layout import (
     SIGNALS,
     STATES,
     STEP_AT,
+    UNDER_WAY,
     WRITE_SIGNS_AT,
     WRITES_AT,
 )
@@ -100,15 +102,21 @@ def begin_run(plant: Plant, work: Work, t: float) -> None:
 def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: int) -> bool:
     """Integrate from scan to scan, in nanoseconds, writing after the latency; return whether it could."""
     ints = work.ints
+    exact = ints[u(UNDER_WAY)] > 0
     done = start
     for piece in range(2):
         target = start + ints[u(LATENCY)] if piece == 0 else end
         if target > done:
-            if not advance(plant, work, done / 1e9, (target - done) / 1e9):
+            if exact:
+                if not advance_exactly(plant, work, done, target):
+                    return False
+            elif not advance(plant, work, done / 1e9, (target - done) / 1e9):
                 return False
             done = target
         if piece == 0:
             write_outputs(ints, work.floats, memory)
+            if exact:
+                send(work, target)
     return True
 
 
@@ -142,10 +150,17 @@ def simulate(
     held = memory[first_input : first_input + ints[u(PLANT_INPUTS)]]
     states, count = ints[u(STATES)], ints[u(EVENTS)]
     nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
-    dx, trial, g0, g1 = np.zeros(states), np.zeros(states), np.zeros(count), np.zeros(count)
+    dx, trial, middle, g0, g1, gm = (
+        np.zeros(states),
+        np.zeros(states),
+        np.zeros(states),
+        np.zeros(count),
+        np.zeros(count),
+        np.zeros(count),
+    )
     plant = Plant(functions.dynamics, functions.events, functions.transition)
     outputs, sample, further = functions.outputs, functions.sample, functions.further
-    work = Work(ints, floats, x, held, p, progress, rows, dx, trial, g0, g1)
+    work = Work(ints, floats, x, held, p, progress, rows, dx, trial, middle, g0, g1, gm)
     if progress[u(SCAN)] == 0 and progress[u(ROW)] == 0:
         rows[u(GUESS)] = nominal
         begin_run(plant, work, starts[u(0)] / 1e9)

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from fcl_sim.loop.exact import exact_words
 from fcl_sim.loop.layout import FINISHED, STAGES, STATES
 from fcl_sim.loop.tape import Tape
 from fcl_sim.loop.work import PROGRESS, SCAN, STATUS, Floats, Ints, rows_size
@@ -46,10 +47,11 @@ class RunState:
 def initial_state(tape: Tape) -> RunState:
     """Return the state in which a run of a tape begins."""
     size = rows_size(int(tape.ints[STAGES]), int(tape.ints[STATES]))
+    words, numbers = exact_words(tape.ints)
     return RunState(
         memory=tape.memory.copy(),
         x=tape.x.copy(),
-        progress=np.zeros(PROGRESS, dtype=np.int64),
-        rows=np.zeros(size),
+        progress=np.zeros(PROGRESS + words, dtype=np.int64),
+        rows=np.zeros(size + numbers),
         own={name: {} for name in tape.outside},
     )

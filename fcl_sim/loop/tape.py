@@ -10,7 +10,7 @@ from fcl_sim.jit import Entry
 from fcl_sim.loop import layout
 from fcl_sim.loop.blocks import OPCODES
 from fcl_sim.loop.blocks.fuzzy import fuzzy_for
-from fcl_sim.loop.clock import scan_starts
+from fcl_sim.loop.clock import most_under_way, scan_starts
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node
 from fcl_sim.loop.execute import further_for
 from fcl_sim.loop.node_layout import NodeLayout, Outside, lay_out, outside_of
@@ -100,7 +100,10 @@ def lower(wiring: Wiring, run: int = 0) -> Tape:
         memory=_initial_memory(diagram, memory, layouts),
         x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
         p=np.array(
-            [diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters],
+            [
+                *diagram.plant.model.constants,
+                *(diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters),
+            ],
             dtype=np.float64,
         ),
         starts=scan_starts(diagram.timing, run),
@@ -185,6 +188,8 @@ def _plant_words(diagram: Diagram) -> dict[int, int]:
         layout.PLANT_INPUTS_AT: len(declaration.outputs),
         layout.EVENTS: len(declaration.events),
         layout.SAMPLED: int(plant.samples),
+        layout.DELAY: plant.delay or 0,
+        layout.UNDER_WAY: 0 if plant.delay is None else most_under_way(diagram.timing, plant.delay),
     }
 
 

@@ -26,8 +26,9 @@ class Work(NamedTuple):
     `ints` and `floats` are the tape (`loop.layout`). State: `x` (states,),
     `held` the plant's inputs as written, `p` its parameters, `progress` the
     words below, `rows` the step to try next and a table of derivatives. Arrays
-    for the plant's functions to fill: `dx` and `trial` (states,), `g0` and `g1`
-    (events,), the events' functions at the beginning and at the end of a step.
+    for the plant's functions to fill: `dx`, `trial` and `middle` (states,), `g0`,
+    `g1` and `gm` (events,), the events' functions at the beginning, at the end
+    and in the middle of a step.
     """
 
     ints: Ints
@@ -39,8 +40,10 @@ class Work(NamedTuple):
     rows: Floats
     dx: Floats
     trial: Floats
+    middle: Floats
     g0: Floats
     g1: Floats
+    gm: Floats
 
 
 MODE, ARMED, STATUS, INDEX, HAPPENED, SCAN, ROW, SAMPLES, PROGRESS = range(9)
@@ -48,7 +51,7 @@ MODE, ARMED, STATUS, INDEX, HAPPENED, SCAN, ROW, SAMPLES, PROGRESS = range(9)
 
 Mode; a bit per event, set while it is armed; how the integration ended and of
 what; events since the last write; the next scan; the row at which it goes on,
-0 where it has not begun; samples recorded.
+0 where it has not begun; samples recorded. A linear plant has further words behind them (`loop.exact`).
 """
 
 GUESS, BASE_AT = 0, 4

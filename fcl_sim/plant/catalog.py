@@ -23,7 +23,10 @@ GROUP = "fcl_sim.plants"
 class PlantModel:
     """A plant that keeps the contract: its declaration, file, the file's digest, its functions.
 
-    `samples` says whether it does something at each scan.
+    `samples` says whether it does something at each scan. `constants` stand
+    before its parameters in p. `delay` is None, or else the plant is linear,
+    x' = M x, its inputs are its last states, and what is written arrives there
+    so many nanoseconds later (`plant.linear`).
     """
 
     declaration: Plant
@@ -31,6 +34,8 @@ class PlantModel:
     digest: str
     functions: PlantFunctions
     samples: bool
+    constants: tuple[float, ...] = ()
+    delay: int | None = None
 
 
 def shipped_bench() -> Path:

@@ -204,7 +204,8 @@ def _facts(outcome: Outcome) -> list[Data]:
         rows.append(
             _fact("Overrides", *(f"{key} = {each}" for key, each in outcome.scenario.overrides.items()))
         )
-    rows.append(_fact("Integration", f"{integration.scheme}, relative tolerance {number(integration.rtol)}"))
+    accuracy = f"{integration.scheme}, relative tolerance {number(integration.rtol)}"
+    rows.append(_fact("Integration", "exact, the plant is linear" if diagram.exact else accuracy))
     return rows
 
 

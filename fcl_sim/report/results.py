@@ -97,7 +97,7 @@ def _run(run: Run) -> Json:
         "latency_ns": timing.latency,
         "jitter_ns": timing.jitter,
         "seed": timing.seed,
-        "integration": diagram.integration.scheme,
+        "integration": "exact" if diagram.exact else diagram.integration.scheme,
         "rtol": diagram.integration.rtol,
         "plant": {
             "model": diagram.plant.model.declaration.name,

@@ -13,6 +13,7 @@ from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
 from fcl_sim.scenario.blocks import plain_node
+from fcl_sim.scenario.linear import is_linear, linear_node, misplaced
 from fcl_sim.scenario.model import BASE, CONTROLLER, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
 from fcl_sim.scenario.requirements import requirements_for
@@ -88,6 +89,10 @@ def setup_called(scenario: Scenario, variant: str) -> Setup:
 
 
 def _plant(scenario: Scenario, setup: PlantSetup, faults: Faults) -> PlantNode | None:
+    wires = {name: wire_of(entry) for name, entry in setup.inputs.items()}
+    if is_linear(setup):
+        return linear_node(setup, wires, faults)
+    faults += misplaced(setup)
     try:
         model = find(str(setup.model.value), scenario.bench)
     except InputFault as fault:
@@ -100,7 +105,7 @@ def _plant(scenario: Scenario, setup: PlantSetup, faults: Faults) -> PlantNode |
         model=model,
         parameters=_values("parameter", declaration.parameters, setup.parameters, model, faults),
         start=_values("state", declaration.states, setup.start, model, faults),
-        inputs={name: wire_of(entry) for name, entry in setup.inputs.items()},
+        inputs=wires,
         span=setup.span,
     )
 

@@ -139,6 +139,10 @@ def _quantity_or_wire(value: Any) -> str | float:
     return value if is_wire(value) else _quantity(value)
 
 
+def _quantity_or_list(value: Any) -> Any:
+    return value if isinstance(value, list) else _quantity(value)
+
+
 def choice_of(known: tuple[str, ...]) -> Any:
     """Return the type of a text that is one of `known`."""
     return Annotated[Any, PlainValidator(lambda value: _choice(value, known)), _schema({}, enum=list(known))]
@@ -178,6 +182,11 @@ QuantifiedOrWire = Annotated[
     Any,
     PlainValidator(_quantity_or_wire),
     _schema({}, anyOf=[{**TEXT, "examples": ["2.5 kW/m", "rules.kp"]}, NUMBER]),
+]
+QuantifiedOrList = Annotated[
+    Any,
+    PlainValidator(_quantity_or_list),
+    _schema({}, anyOf=[{**WRITTEN, "examples": ["20 t", "-25 m"]}, NUMBER, {"type": "array"}]),
 ]
 Time = Annotated[Any, PlainValidator(_time), _schema(WRITTEN, examples=["20 ms"])]
 PositiveTime = Annotated[Any, PlainValidator(_positive_time), _schema(WRITTEN, examples=["50 ms", "60 s"])]

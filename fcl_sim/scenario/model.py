@@ -50,7 +50,10 @@ class ControllerSetup:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlantSetup:
-    """The plant of a run, by the name of its model; `name` begins the names of its signals."""
+    """The plant of a run, by the name of its model; `name` begins the names of its signals.
+
+    `outputs` and `units` are told of linear plants, which have no file to declare them.
+    """
 
     model: Entry
     name: str
@@ -58,6 +61,8 @@ class PlantSetup:
     start: Entries
     inputs: Entries
     span: Span = field(compare=False, repr=False)
+    outputs: tuple[Entry, ...] = ()
+    units: Entries = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

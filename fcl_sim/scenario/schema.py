@@ -24,6 +24,7 @@ from fcl_sim.scenario.fields import (
     Positive,
     PositiveTime,
     Quantified,
+    QuantifiedOrList,
     QuantifiedOrWire,
     SchemeName,
     Text,
@@ -36,6 +37,10 @@ from fcl_sim.scenario.fields import (
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 FUZZY = "fuzzy"
+PLANT_MODEL = (
+    "the plant: plants/NAME.py of the bench, a shipped one, or a linear one: "
+    "first_order, transfer_function, zero_pole_gain, state_space"
+)
 
 
 class Table(BaseModel):
@@ -83,12 +88,18 @@ class IntegrationTable(Table):
 class PlantTable(Table):
     """The plant, and what differs from its declaration."""
 
-    model: Filled = Field(description="the plant: plants/NAME.py of the bench, or a shipped one")
+    model: Filled = Field(description=PLANT_MODEL)
     name: Name | None = Field(None, description="what its signals begin with; else the model's name")
-    parameters: dict[str, Quantified] = Field({}, description="parameters, where not at their defaults")
+    parameters: dict[str, QuantifiedOrList] = Field(
+        {}, description="parameters, where not at their defaults; all that make a linear plant"
+    )
     start: dict[str, Quantified] = Field({}, description="start values of states, where not as declared")
     inputs: dict[str, WireText] = Field(
         {}, description="for each input of the plant, the signal that drives it"
+    )
+    outputs: list[Name] = Field(["output"], description="names of the outputs of a linear plant")
+    units: dict[str, UnitText] = Field(
+        {}, description="unit of each input and output of a linear plant, where it has one"
     )
 
 

@@ -151,6 +151,7 @@ def _controller(reading: Reading, named: Entry, tree: Entry) -> ControllerSetup:
 def _plant(plant: Entry) -> PlantSetup:
     model, name = plant.table["model"], plant.get("name")
     parameters, start, inputs = (plant.get(each) for each in ("parameters", "start", "inputs"))
+    outputs, units = plant.get("outputs"), plant.get("units")
     return PlantSetup(
         model=model,
         name=str(name.value if name else model.value),
@@ -158,6 +159,8 @@ def _plant(plant: Entry) -> PlantSetup:
         start=start.table if start else NOTHING,
         inputs=inputs.table if inputs else NOTHING,
         span=plant.key,
+        outputs=outputs.items if outputs else (),
+        units=units.table if units else NOTHING,
     )
 
 

@@ -5,6 +5,7 @@ from textwrap import wrap
 from typing import Any
 
 from fcl_sim.loop.schemes import SCHEMES
+from fcl_sim.scenario.linear import is_linear, output_names
 from fcl_sim.scenario.model import BASE, Entries, RequirementText, Scenario, Setup
 from fcl_sim.toml.tree import Entry
 
@@ -52,9 +53,12 @@ def _run(setup: Setup) -> Iterator[str]:
         yield "blocks take the measured cycle time"
     controlled = bool(SCHEMES[integration.scheme].error)
     accuracy = f"rtol {integration.rtol:g}" if controlled else f"step {integration.step:g} s"
-    yield f"integration by {integration.scheme}, {accuracy}"
-    plant = setup.plant
-    yield f"plant {plant.name} = plants/{plant.model.value}"
+    plant, linear = setup.plant, is_linear(setup.plant)
+    yield "integration exact" if linear else f"integration by {integration.scheme}, {accuracy}"
+    yield f"plant {plant.name} = {'' if linear else 'plants/'}{plant.model.value}"
+    for name in output_names(plant) if linear else ():
+        yield f"{plant.name}.{name} is an output"
+    yield from _values(f"{plant.name} unit of ", plant.units)
     yield from _values(f"{plant.name} parameter ", plant.parameters)
     yield from _values(f"{plant.name} starts at ", plant.start)
     yield from _wires(f"{plant.name}.", plant.inputs)
@@ -69,7 +73,7 @@ def _run(setup: Setup) -> Iterator[str]:
 
 def _values(prefix: str, entries: Entries) -> Iterator[str]:
     for name, entry in entries.items():
-        yield f"{prefix}{name} = {entry.value}"
+        yield f"{prefix}{name} = {_inline(entry.plain())}"
 
 
 def _wires(prefix: str, entries: Entries) -> Iterator[str]:

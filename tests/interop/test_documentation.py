@@ -13,7 +13,7 @@ PRINTED = [text for language, text in BLOCKS if not language]
 
 
 def test_every_example_is_followed_by_what_it_prints():
-    assert [language for language, _ in BLOCKS] == ["python", ""] * 3
+    assert [language for language, _ in BLOCKS] == ["python", ""] * 4
 
 
 @pytest.mark.parametrize("number", range(len(EXAMPLES)))
