@@ -124,6 +124,7 @@ def test_a_run_of_a_linear_plant_in_pieces_is_the_run_in_one(stops):
     assert np.array_equal(trace_of(tape, state, record).values, whole.values)
 
 
+@pytest.mark.filterwarnings("ignore:(overflow|invalid value) encountered")  # uncompiled, NumPy says so
 def test_a_plant_that_grows_beyond_all_bounds_ends_in_a_fault_with_the_trace_up_to_there():
     trace = run(diagram(transfer_function([1.0], [1.0, -100.0]), timing(100.0, 20.0), STEP))
     assert trace.fault is not None
@@ -133,7 +134,34 @@ def test_a_plant_that_grows_beyond_all_bounds_ends_in_a_fault_with_the_trace_up_
     assert np.isfinite(trace.values).all()
 
 
+@pytest.mark.filterwarnings("ignore:(overflow|invalid value) encountered")  # uncompiled, NumPy says so
 def test_a_plant_that_is_too_fast_for_any_number_ends_in_a_fault():
     trace = run(diagram(transfer_function([1.0], [1.0, -1e300]), timing(100.0, 1.0), STEP))
     assert trace.fault is not None
     assert trace.ticks.tolist() == [0]
+
+
+def under_pi(gain, time):
+    """Return first order without dead time under a PI controller, setpoint 1 from scan 0 on."""
+    wires = {"setpoint": "one", "measurement": "plant.y"}
+    control = node("u", "pid", wires, Kc=gain, Ti=f"{time!r} s")
+    trace = simulated(
+        first_order(GAIN, TAU), timing(500.0, 60.0), node("one", "constant", value=1.0), control
+    )
+    return trace["plant.y"]
+
+
+@pytest.mark.parametrize("beta", [0.1, 0.7, 1.0, 1.6])
+def test_a_pi_that_cancels_the_pole_approaches_by_a_factor_each_scan_and_at_1_at_once(beta):
+    y = under_pi(beta * A / ((1 - A) * GAIN), TS * A / (1 - A))
+    assert y == pytest.approx(1 - (1 - beta) ** np.arange(y.size), abs=2e-15)
+
+
+@pytest.mark.parametrize(("gain", "time"), [(0.5, 8.0), (3.0, 4.0), (6.0, 100.0)])
+def test_a_pi_moves_first_order_by_the_poles_of_the_loop(gain, time):
+    q0, q1, b = gain * (1 + TS / time), -gain, GAIN * (1 - A)
+    y = under_pi(gain, time)
+    p, q = np.roots([1.0, -(1 + A - b * q0), A + b * q1]).astype(complex)
+    share = (b * q0 - 1 + q) / (p - q)  # of p, so that y_0 = 0 and y_1 = b q0
+    k = np.arange(y.size)
+    assert y == pytest.approx((1 + share * p**k - (1 + share) * q**k).real, abs=1e-14)

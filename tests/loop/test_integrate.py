@@ -195,6 +195,7 @@ def test_two_regimes_that_drive_at_each_other_end_in_a_fault(tmp_path):
     assert trace.time[-1] == pytest.approx(1.0, abs=0.1)
 
 
+@pytest.mark.filterwarnings("ignore:(overflow|invalid value) encountered")  # uncompiled, NumPy says so
 def test_a_state_that_grows_beyond_all_bounds_ends_in_a_fault_with_the_trace_up_to_there(tmp_path):
     trace = run(alone(plant_of(tmp_path, GROWTH), timing(10.0, 5.0)))
     assert trace.fault is not None
