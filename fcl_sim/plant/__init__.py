@@ -1,7 +1,8 @@
 """What a plant is: its declaration, the contract its functions keep, and the catalog that finds it.
 
-In: a Python file with PLANT and its functions. Out: a PlantModel whose functions
-are compiled to one fixed signature, so that one loop drives every plant.
+In: a Python file with PLANT and its functions, or the matrices of a linear plant.
+Out: a PlantModel whose functions are compiled to one fixed signature, so that one
+loop drives every plant.
 May import jit, units and diagnostics. A plant file imports its vocabulary from here.
 Tests: tests/plant.
 """

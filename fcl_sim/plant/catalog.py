@@ -3,7 +3,7 @@
 import hashlib
 import importlib.metadata
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -45,12 +45,12 @@ def shipped_bench() -> Path:
     return inside if inside.is_dir() else package.parent
 
 
-def find(name: str, bench: Path | None = None) -> PlantModel:
+def find(name: str, bench: Path | None = None, others: Iterable[str] = ()) -> PlantModel:
     """Return the plant called `name`.
 
     Looked up as `plants/NAME.py` of `bench`, then among the entry points of the
     group `fcl_sim.plants`, then among the shipped plants. InputFault when there
-    is none or when it breaks the contract.
+    is none or when it breaks the contract; it knows of `others`, that have no file.
     """
     folders = [folder / "plants" for folder in (bench, shipped_bench()) if folder is not None]
     if bench is not None and (folders[0] / f"{name}.py").is_file():
@@ -60,7 +60,7 @@ def find(name: str, bench: Path | None = None) -> PlantModel:
     if (folders[-1] / f"{name}.py").is_file():
         return load(folders[-1] / f"{name}.py")
     known = {file.stem for folder in folders for file in folder.glob("[!_]*.py")}
-    known |= {point.name for point in importlib.metadata.entry_points(group=GROUP)}
+    known |= {point.name for point in importlib.metadata.entry_points(group=GROUP)} | {*others}
     near = nearest(name, known)
     hint = f"did you mean `{near}`?" if near else f"there are {listed(sorted(known))}"
     raise InputFault.at_file("PLT101", "", f"there is no plant called `{name}`", hint)

@@ -13,7 +13,7 @@ from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
 from fcl_sim.scenario.blocks import plain_node
-from fcl_sim.scenario.linear import is_linear, linear_node, misplaced
+from fcl_sim.scenario.linear import LINEAR_MODELS, is_linear, linear_node, misplaced
 from fcl_sim.scenario.model import BASE, CONTROLLER, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
 from fcl_sim.scenario.requirements import requirements_for
@@ -94,7 +94,7 @@ def _plant(scenario: Scenario, setup: PlantSetup, faults: Faults) -> PlantNode |
         return linear_node(setup, wires, faults)
     faults += misplaced(setup)
     try:
-        model = find(str(setup.model.value), scenario.bench)
+        model = find(str(setup.model.value), scenario.bench, LINEAR_MODELS)
     except InputFault as fault:
         place = (Place(span=setup.model.span),)
         faults += [each if each.places else replace(each, places=place) for each in fault.diagnostics]

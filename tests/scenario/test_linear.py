@@ -200,6 +200,10 @@ FAULTS = {
         f'{AC_COUPLED}\nstart = {{ temperature = "1 degC" }}',
         "SCN311", "does not rest at this output",
     ),
+    "model": (
+        FIRST_ORDER.replace("first_order", "first_oder"),
+        "PLT101", "did you mean `first_order`?",
+    ),
     "list of a crane": (
         'model = "crane"',
         "SCN201", "the plant `crane` has no key `outputs`",
