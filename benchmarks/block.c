@@ -121,3 +121,45 @@ static inline double table(double a, double b)
 BLOCK(cogs)
 BLOCK(cog)
 BLOCK(table)
+
+/* The crane's block on a second-order lag, one step of Runge-Kutta a scan; p: gain, damping, inertia, target. */
+static inline void lag(const double *x, double u, const double *p, double *dx)
+{
+    dx[0] = x[1];
+    dx[1] = (p[0] * u - x[0] - p[1] * x[1]) / p[2];
+}
+
+/* record: scans + 1 rows of 3 signals, 2 inputs, output, flag, the degrees of the 6 rules. */
+void lag_loop(const double *p, double *x, long scans, double scan, double *record)
+{
+    enum { COLUMNS = 3 + 4 + 6 };
+    double a[2], b[2], c[2], d[2], y[2];
+    for (long n = 0; n <= scans; n++) {
+        double *row = record + n * COLUMNS;
+        double distance = p[3] - x[0], angle = 30 * x[1], far = ramp(distance, 10, 1.0 / 12);
+        double small = triangle(angle, -50, -5, 0), upright = triangle(angle, -5, 0, 5);
+        double fired[6] = {
+            least(far, upright), least(far, small), least(far, ramp(-angle, 5, 1.0 / 45)),
+            least(triangle(distance, 5, 10, 22), small),
+            least(triangle(distance, 0, 5, 10), triangle(angle, 0, 5, 50)),
+            least(triangle(distance, -5, 0, 5), upright),
+        };
+        double positive = most(fired[0], most(fired[2], fired[4]));
+        double sum = positive + fired[1] + fired[3] + fired[5];
+        double u = sum > 0 ? (9 * positive + 27 * fired[1] - 9 * fired[3]) / sum : 0;
+        row[0] = row[3] = distance;
+        row[1] = row[4] = angle;
+        row[2] = row[5] = u;
+        row[6] = sum > 0;
+        for (int i = 0; i < 6; i++) row[7 + i] = fired[i];
+        if (n == scans) break;
+        lag(x, u, p, a);
+        for (int i = 0; i < 2; i++) y[i] = x[i] + 0.5 * scan * a[i];
+        lag(y, u, p, b);
+        for (int i = 0; i < 2; i++) y[i] = x[i] + 0.5 * scan * b[i];
+        lag(y, u, p, c);
+        for (int i = 0; i < 2; i++) y[i] = x[i] + scan * c[i];
+        lag(y, u, p, d);
+        for (int i = 0; i < 2; i++) x[i] += scan / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+    }
+}

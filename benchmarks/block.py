@@ -12,7 +12,7 @@ import numpy as np
 from numpy import float64, int64
 from numpy.typing import NDArray
 
-from benchmarks.yardstick import compiled, in_turns
+from benchmarks.yardstick import compiled, in_turns, pointer
 from fcl_sim.block import Block, loads
 from fcl_sim.engine.infer import infer
 from fcl_sim.jit import F, I, entry, f8, signature
@@ -133,7 +133,7 @@ def _measured(case: Case, library: ctypes.CDLL) -> Iterator[str]:
     random = np.random.default_rng(1)
     n = 200_000
     a, b = (random.uniform(*limits, n) for limits in case.ranges)
-    pointers = (_pointer(a), _pointer(b))
+    pointers = (pointer(a), pointer(b))
     twin = getattr(library, f"{case.twin}_chain")
     twin.restype = ctypes.c_double
     program = case.block.program
@@ -151,7 +151,7 @@ def _measured(case: Case, library: ctypes.CDLL) -> Iterator[str]:
     for clock, what in ((process_time, "processor time"), (perf_counter, f"{cpu_count()} processors")):
         ours, theirs = in_turns(
             lambda: case.block.evaluate(values),
-            lambda: batch(*pointers, _pointer(results), ctypes.c_size_t(n)),
+            lambda: batch(*pointers, pointer(results), ctypes.c_size_t(n)),
             rounds=11,
             clock=clock,
         )
@@ -184,7 +184,3 @@ def _growth() -> Iterator[str]:
 
 def _line(title: str, ours: float, theirs: float) -> str:
     return f"{title}: {1e9 * ours:.1f} ns, C {1e9 * theirs:.1f} ns, {ours / theirs:.2f} times C"
-
-
-def _pointer(values: Values) -> object:
-    return values.ctypes.data_as(ctypes.POINTER(ctypes.c_double))

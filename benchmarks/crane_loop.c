@@ -196,31 +196,58 @@ static double rules(double d, double a, double *restrict degree)
     return s > 0 ? t / s : 0;
 }
 
-/* x: position, speed, angle, rate, drive force. record: scans + 1 rows of 10 signals, 2 inputs, output, flag, degrees. */
-void crane_loop(const crane *p, double *x, long scans, double scan, double rtol, double *record)
+/* What stands between the plant and the controller: noise drawn beforehand, quantisation, latency. */
+typedef struct {
+    const double *distance_noise, *angle_noise;
+    double distance_step, angle_step, latency;
+} disturbance;
+
+/* x: position, speed, angle, rate, drive force. record: scans + 1 rows of 10 signals, of noise, sum and step for both
+   sensors where they are disturbed, then 2 inputs, output, flag, degrees. */
+static inline void loop(const crane *p, double *x, long scans, double scan, double rtol, double *record, const disturbance *by)
 {
-    enum { COLUMNS = 10 - 1 + 4 + RULES };
-    double speed = 0, before = 0, guess = scan, filter = 0.05;
+    const int signals = by ? 9 + 6 : 9, columns = signals + 4 + RULES;
+    double speed = 0, before = 0, guess = scan, filter = 0.05, held = 0;
     int armed[4] = { 0 }, mode = transition(-1, x, p);
     for (long n = 0; n <= scans; n++) {
-        double *row = record + n * COLUMNS, distance = 0 - x[0], angle = x[2] * (180 / M_PI);
+        double *row = record + n * columns, distance = 0 - x[0], angle = x[2] * (180 / M_PI);
+        row[0] = distance;
+        row[1] = angle;
+        if (by) {
+            row[9] = by->distance_noise[n];
+            row[10] = by->angle_noise[n];
+            row[11] = distance + row[9];
+            row[12] = angle + row[10];
+            row[13] = distance = by->distance_step * floor(row[11] / by->distance_step + 0.5);
+            row[14] = angle = by->angle_step * floor(row[12] / by->angle_step + 0.5);
+        }
         if (n) speed += scan / (filter + scan) * ((-distance - before) / scan - speed);
         before = -distance;
         double predicted = distance - 6 * speed;
-        double power = rules(predicted, angle, row + 13);
-        row[0] = distance;
-        row[1] = angle;
+        double power = rules(predicted, angle, row + signals + 4);
         row[2] = 180 / M_PI * sqrt(x[2] * x[2] + x[3] * x[3] * p->L / p->g);
         row[3] = x[0];
         row[4] = x[1];
         row[5] = x[4] / 1000;
-        row[6] = power;
+        row[6] = by ? held : power;
         row[7] = speed;
         row[8] = predicted;
-        row[9] = predicted;
-        row[10] = angle;
-        row[11] = power;
-        row[12] = 1;
-        if (n < scans) mode = advance(scan, x, power, p, mode, rtol, &guess, armed);
+        row[signals] = predicted;
+        row[signals + 1] = angle;
+        row[signals + 2] = power;
+        row[signals + 3] = 1;
+        if (n < scans && by) mode = advance(by->latency, x, held, p, mode, rtol, &guess, armed);
+        held = power;
+        if (n < scans) mode = advance(by ? scan - by->latency : scan, x, held, p, mode, rtol, &guess, armed);
     }
+}
+
+void crane_loop(const crane *p, double *x, long scans, double scan, double rtol, double *record)
+{
+    loop(p, x, scans, scan, rtol, record, 0);
+}
+
+void crane_loop_disturbed(const crane *p, double *x, long scans, double scan, double rtol, double *record, const disturbance *by)
+{
+    loop(p, x, scans, scan, rtol, record, by);
 }

@@ -10,6 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 from statistics import median
 
+import numpy as np
+from numpy.typing import NDArray
+
 
 def compiled(source: str) -> ctypes.CDLL:
     """Return a C file of this folder as a library, built with `gcc -O3`; exit where there is no gcc."""
@@ -22,6 +25,11 @@ def compiled(source: str) -> ctypes.CDLL:
         command = [gcc, "-O3", "-shared", "-fPIC", "-o", str(library), str(path), "-lm"]
         subprocess.run(command, check=True)
         return ctypes.CDLL(str(library))
+
+
+def pointer(values: NDArray[np.float64]) -> object:
+    """Return an array as C takes it."""
+    return values.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
 
 
 def in_turns(
