@@ -317,6 +317,7 @@ def _cache_in(folder: Path) -> type[caching.FunctionCache]:
     class Locator(caching._CacheLocator):  # noqa: SLF001
         def __init__(self, py_func: Any) -> None:
             self._line = py_func.__code__.co_firstlineno
+            self._py_file = py_func.__code__.co_filename
 
         def get_cache_path(self) -> str:
             return str(folder)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from fcl_sim.arithmetic.defuzzify import centre_of_area, centre_of_gravity, extreme_maximum
 from fcl_sim.arithmetic.operators import maximum, minimum
 from fcl_sim.arithmetic.polyline import LEVEL_SIZE, VERTEX_SIZE, activate, bound, highest, join
-from fcl_sim.engine.curved import Curves
+from fcl_sim.engine.curved import Curved, accumulate_curved
 from fcl_sim.engine.moving import hull, place_terms, sourced
 from fcl_sim.engine.program import (
     AREA_GROUP,
@@ -47,7 +47,7 @@ Floats = NDArray[float64]
 
 @flat
 def settle_area(
-    ints: Ints, floats: Floats, at: int, area: int, method: int, memory: Floats, base: int, curves: Curves
+    ints: Ints, floats: Floats, at: int, area: int, method: int, memory: Floats, base: int, curved: Curved
 ) -> tuple[float, float]:
     """Return the value of an output with areas, and its area, 0 where no rule is active (S30, S31).
 
@@ -66,7 +66,7 @@ def settle_area(
     memory[u(result)] = memory[u(result + 1)] = 0.0
     if not low < high:
         return low, 0.0
-    first, end = accumulate_area(ints, floats, at, area, low, memory, base, curves)
+    first, end = accumulate_area(ints, floats, at, area, low, memory, base, curved)
     if end == 0:
         return nan, 1.0
     memory[u(result)] = first - base
@@ -90,7 +90,7 @@ def settle_area(
 
 @flat
 def accumulate_area(
-    ints: Ints, floats: Floats, at: int, area: int, low: float, memory: Floats, base: int, curves: Curves
+    ints: Ints, floats: Floats, at: int, area: int, low: float, memory: Floats, base: int, curved: Curved
 ) -> tuple[int, int]:
     """Return where the accumulated polyline begins and ends; where nothing is active they are one.
 
@@ -111,7 +111,11 @@ def accumulate_area(
         if kind == GROUP_CURVED:
             record = at + count
             kind = ints[u(record + CURVED_KIND)]
-            line, line_end, other = curves(ints, floats, at, area, record, low, line, other, memory, base)
+            if curved is None:
+                return line, 0
+            line, line_end, other = accumulate_curved(
+                ints, floats, at, area, record, low, line, other, memory, base
+            )
             if line_end == 0:
                 return line, 0
             count = 0

@@ -6,7 +6,6 @@ is smooth, and what they accumulate to is halved until it is straight enough:
 within 1e-6, in binary32 within 1e-5.
 """
 
-from collections.abc import Callable
 from math import inf
 
 from numpy import float64, int64
@@ -59,8 +58,9 @@ SPARE = 8 * VERTEX_SIZE
 """Words that are looked for at once, before vertices are written where terms have points and kinks."""
 
 
-Curves = Callable[[Ints, Floats, int, int, int, float, int, int, Floats, int], tuple[int, int, int]]
-"""`accumulate_curved`, or for programs without such areas `accumulate_none`, which spares compiling it."""
+Curved = int | None
+"""CURVED, or None for programs without areas under norms of the Open Level: numba then compiles no sweep."""
+CURVED = 1
 
 
 @flat
@@ -100,23 +100,6 @@ def accumulate_curved(
             reached = join(memory, line, end, part, reached, other, other + room, 0)
             line, end, other = other, reached, line
     return line, end, other
-
-
-@flat
-def accumulate_none(
-    _ints: Ints,
-    _floats: Floats,
-    _at: int,
-    _area: int,
-    _record: int,
-    _low: float,
-    line: int,
-    other: int,
-    _memory: Floats,
-    _base: int,
-) -> tuple[int, int, int]:
-    """Stand in for `accumulate_curved`: there is no room for any curved accumulation."""
-    return line, 0, other
 
 
 @flat

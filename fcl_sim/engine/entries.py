@@ -12,7 +12,7 @@ from fcl_sim.engine.batch import (
     fuzzify_rows,
     visit_rows,
 )
-from fcl_sim.engine.curved import Curves, accumulate_curved, accumulate_none
+from fcl_sim.engine.curved import CURVED, Curved
 from fcl_sim.engine.infer import accumulate, defuzzify, infer, infer_curved
 from fcl_sim.engine.program import (
     ALL_TOGETHER,
@@ -65,9 +65,9 @@ def evaluate_points(
     points: NDArray[float64],
     start: int,
     stop: int,
-    curves: Curves,
+    curved: Curved,
 ) -> None:
-    """Evaluate points as `evaluate_many`; `curves` accumulates areas under norms of the Open Level."""
+    """Evaluate points as `evaluate_many`; `curved` is None without areas under norms of the Open Level."""
     head = ints[u(DEGREES)]
     given = head - ints[u(OUTPUTS)]
     size = points.size // max(1, head)
@@ -96,7 +96,7 @@ def evaluate_points(
             else:
                 for word in range(first, last):
                     memory[u(word)] = rows[u(word * width + point)]
-            defuzzify(ints, floats, 0, memory, 0, curves)
+            defuzzify(ints, floats, 0, memory, 0, curved)
             for word in range(given - ints[u(OUTPUTS)], head):
                 points[u(word * size + row + point)] = memory[u(word)]
 
@@ -116,7 +116,7 @@ def evaluate_many(
     of the second and so on; likewise the previous values of the outputs, which
     NC keeps, and takes the new ones; likewise it takes the flags.
     """
-    evaluate_points(ints, floats, memory, points, start, stop, accumulate_none)
+    evaluate_points(ints, floats, memory, points, start, stop, None)
 
 
 @entry(signature(void, I, F, F, F, i8, i8))
@@ -129,7 +129,7 @@ def evaluate_many_curved(
     stop: int,
 ) -> None:
     """`evaluate_many` of programs with areas under norms of the Open Level."""
-    evaluate_points(ints, floats, memory, points, start, stop, accumulate_curved)
+    evaluate_points(ints, floats, memory, points, start, stop, CURVED)
 
 
 evaluate_many_real = Entry(evaluate_many.function, signature(void, I, F4, F4, F4, i8, i8))

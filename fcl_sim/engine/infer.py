@@ -16,7 +16,7 @@ from fcl_sim.arithmetic.membership import cell_of, degree_on
 from fcl_sim.arithmetic.operators import clamped, maximum, minimum
 from fcl_sim.arithmetic.pairs import disjunction
 from fcl_sim.engine.aggregate import aggregate
-from fcl_sim.engine.curved import Curves, accumulate_curved, accumulate_none
+from fcl_sim.engine.curved import CURVED, Curved
 from fcl_sim.engine.hedged import conclude_hedged
 from fcl_sim.engine.moving import fuzzify_moved, sourced
 from fcl_sim.engine.program import (
@@ -249,7 +249,7 @@ def finish_groups(ints: Ints, at: int, output: int, memory: Floats, base: int) -
 
 
 @inlined
-def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int, curves: Curves) -> None:
+def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int, curved: Curved) -> None:
     """Write each output and its flag; without an active rule, the DEFAULT or nothing (S30, S31)."""
     origin = ints[u(at + FLOATS)]
     output = at + ints[u(at + OUTPUT)]
@@ -263,7 +263,7 @@ def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int, cu
             moment, weight = moments_of_singletons(floats, places, memory, degrees, terms)
             value = moment / weight if weight != 0.0 else 0.0
         else:
-            value, weight = settle(ints, floats, at, output, memory, base, curves)
+            value, weight = settle(ints, floats, at, output, memory, base, curved)
         if weight == 0.0:
             memory[u(base + ints[u(output + OUT_ACTIVE)])] = 0.0
             if ints[u(output + OUT_KEEP)] == 0:
@@ -304,11 +304,11 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
     to that (S37). The program has no area under a norm of the Open Level.
     """
     accumulate(ints, floats, at, memory, base)
-    defuzzify(ints, floats, at, memory, base, accumulate_none)
+    defuzzify(ints, floats, at, memory, base, None)
 
 
 @inlined
 def infer_curved(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
     """Evaluate a program with areas under norms of the Open Level once; else as `infer`."""
     accumulate(ints, floats, at, memory, base)
-    defuzzify(ints, floats, at, memory, base, accumulate_curved)
+    defuzzify(ints, floats, at, memory, base, CURVED)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from fcl_sim.arithmetic.operators import maximum, minimum
 from fcl_sim.engine.areas import settle_area
-from fcl_sim.engine.curved import Curves
+from fcl_sim.engine.curved import Curved
 from fcl_sim.engine.formulas import place_formulas
 from fcl_sim.engine.moving import abscissa
 from fcl_sim.engine.program import (
@@ -34,13 +34,13 @@ Floats = NDArray[float64]
 
 @flat
 def settle(
-    ints: Ints, floats: Floats, at: int, output: int, memory: Floats, base: int, curves: Curves
+    ints: Ints, floats: Floats, at: int, output: int, memory: Floats, base: int, curved: Curved
 ) -> tuple[float, float]:
     """Return the value of an output, and a number that is 0 where no rule is active for it.
 
-    `curves` accumulates areas under norms of the Open Level.
+    `curved` is None where no area is under a norm of the Open Level.
     """
-    value, weight = result(ints, floats, at, output, memory, base, curves)
+    value, weight = result(ints, floats, at, output, memory, base, curved)
     limits = ints[u(output + OUT_LIMITS)]
     if limits != 0:
         ends = ints[u(at + FLOATS)] + limits
@@ -50,7 +50,7 @@ def settle(
 
 @flat
 def result(
-    ints: Ints, floats: Floats, at: int, output: int, memory: Floats, base: int, curves: Curves
+    ints: Ints, floats: Floats, at: int, output: int, memory: Floats, base: int, curved: Curved
 ) -> tuple[float, float]:
     """Return the value of an output before its limits, and the number of `settle`."""
     kind = ints[u(output + OUT_KIND)]
@@ -60,7 +60,7 @@ def result(
     if kind == BY_DEGREE:
         return memory[u(degrees)], memory[u(degrees)]
     if kind == BY_AREA:
-        return settle_area(ints, floats, at, more, method, memory, base, curves)
+        return settle_area(ints, floats, at, more, method, memory, base, curved)
     terms = ints[u(output + OUT_TERMS)]
     origin = ints[u(at + FLOATS)]
     total = top = 0.0

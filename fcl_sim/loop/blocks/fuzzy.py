@@ -12,6 +12,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from fcl_sim.engine.curved import CURVED, Curved
 from fcl_sim.engine.infer import infer, infer_curved
 from fcl_sim.engine.program import DEGREES, RULES
 from fcl_sim.jit import F4, Entry, F, I, entry, flat, function_type, i8, signature, u, void
@@ -42,23 +43,24 @@ FUZZY = BlockType(
 )
 
 
-Infer = Callable[[Ints, Any, int, Any, int], None]
-
-
 @flat
-def call_long(ints: Ints, floats: Floats, memory: Floats, at: int, infer: Infer) -> None:
+def call_long(ints: Ints, floats: Floats, memory: Floats, at: int, curved: Curved) -> None:
     """Call a block in LREAL."""
     inputs = ints[u(at + INPUTS)]
     signs = ints[u(at + PARAMETERS)]
     instance = ints[u(at + STATE)]
     for i in range(inputs):
         memory[u(instance + i)] = floats[u(signs + i)] * memory[u(ints[u(at + FIRST_INPUT + i)])]
-    infer(ints, floats, ints[u(at + FIRST_INPUT + inputs + PROGRAM)], memory, instance)
+    program = ints[u(at + FIRST_INPUT + inputs + PROGRAM)]
+    if curved is None:
+        infer(ints, floats, program, memory, instance)
+    else:
+        infer_curved(ints, floats, program, memory, instance)
 
 
 @flat
 def call_real(
-    ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int, infer: Infer
+    ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int, curved: Curved
 ) -> None:
     """Call a block in REAL: its inputs are rounded, and what it computes is copied to its head."""
     inputs = ints[u(at + INPUTS)]
@@ -71,7 +73,10 @@ def call_real(
         singles[u(instance + i)] = floats[u(signs + i)] * memory[u(ints[u(at + FIRST_INPUT + i)])]
         unsound += singles[u(instance + i)] * 0.0
     memory[u(ints[u(words + CHECKED)])] = unsound
-    infer(ints, constants, program, singles, instance)
+    if curved is None:
+        infer(ints, constants, program, singles, instance)
+    else:
+        infer_curved(ints, constants, program, singles, instance)
     for i in range(ints[u(program + DEGREES)] + ints[u(program + RULES)]):
         memory[u(head + i)] = singles[u(instance + i)]
 
@@ -86,7 +91,7 @@ def evaluate_long(
     at: int,
 ) -> None:
     """Call a block in LREAL that has no areas under norms of the Open Level."""
-    call_long(ints, floats, memory, at, infer)
+    call_long(ints, floats, memory, at, None)
 
 
 @entry(signature(*_FUZZY))
@@ -99,7 +104,7 @@ def evaluate_long_curved(
     at: int,
 ) -> None:
     """Call any block in LREAL."""
-    call_long(ints, floats, memory, at, infer_curved)
+    call_long(ints, floats, memory, at, CURVED)
 
 
 @entry(signature(*_FUZZY))
@@ -107,7 +112,7 @@ def evaluate_real(
     ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
 ) -> None:
     """Call a block in REAL that has no areas under norms of the Open Level."""
-    call_real(ints, floats, memory, constants, singles, at, infer)
+    call_real(ints, floats, memory, constants, singles, at, None)
 
 
 @entry(signature(*_FUZZY))
@@ -115,7 +120,7 @@ def evaluate_real_curved(
     ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
 ) -> None:
     """Call any block in REAL."""
-    call_real(ints, floats, memory, constants, singles, at, infer_curved)
+    call_real(ints, floats, memory, constants, singles, at, CURVED)
 
 
 @entry(signature(*_FUZZY))
