@@ -15,6 +15,7 @@ from fcl_sim.loop.blocks import (
     concept,
     controllers,
     delays,
+    devices,
     dynamics,
     expression,
     nonlinear,
@@ -87,7 +88,7 @@ def keep_late(ints: Ints, floats: Floats, memory: Floats) -> None:
         at += 3
 
 
-FIRST_FAMILY, FAMILIES = 1, 9
+FIRST_FAMILY, FAMILIES = 1, 10
 
 
 @cache
@@ -99,7 +100,7 @@ def further_with(families: frozenset[int]) -> Entry:
     """
     has = [number in families for number in range(FIRST_FAMILY, FIRST_FAMILY + FAMILIES)]
     has_calculation, has_nonlinear, has_delays, has_sources = has[:4]
-    has_dynamics, has_controllers, has_routing, has_expression, has_concept = has[4:]
+    has_dynamics, has_controllers, has_routing, has_expression, has_concept, has_devices = has[4:]
 
     def execute_further(
         opcode: int,
@@ -132,6 +133,8 @@ def further_with(families: frozenset[int]) -> Entry:
             expression.execute(code, row)
         elif has_concept and family == 9:
             concept.execute(code, row)
+        elif has_devices and family == 10:
+            devices.execute(code, row)
 
     return Entry(execute_further, signature(*_FURTHER))
 

@@ -13,7 +13,7 @@ CYCLE = 0.02
 """Cycle time of `block_bench.diagram`."""
 
 
-def node(name: str, kind: str, inputs: dict[str, str] | None = None, **parameters: Any) -> Node:
+def node(name: str, kind: str, inputs: dict[str, str] | None = None, /, **parameters: Any) -> Node:
     """Return a block; parameters that are quantities as text or number, wires by signal, minus and all."""
     quantities = {each.name for each in BLOCKS[kind].parameters if each.kind == "quantity"}
     group = BLOCKS[kind].group

@@ -14,6 +14,7 @@ from fcl_sim.loop.blocks import (
     concept,
     controllers,
     delays,
+    devices,
     dynamics,
     expression,
     nonlinear,
@@ -42,6 +43,7 @@ FAMILIES = (
     Family(name="routing", title="Choosing and sharing out", table=routing.TABLE, execute=routing.execute),
     Family(name="expression", title="Formulae", table=expression.TABLE, execute=expression.execute),
     Family(name="concept", title="Concept's FUZZY library", table=concept.TABLE, execute=concept.execute),
+    Family(name="devices", title="Sensors, actuators, faults", table=devices.TABLE, execute=devices.execute),
 )
 """Block types by family; the opcode of a block is CODES times the row of its family, plus its own."""
 

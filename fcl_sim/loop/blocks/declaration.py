@@ -168,6 +168,7 @@ class BlockType:
     `refusal`, given the signals that it read by port, returns the port at which a value
     is of no use, so that the kernel gave NaN, and what that port takes. `events`
     names the numbers of an output `event`, from 1; 0 is none, negative a warning.
+    A `device` stands beside the PLC, whose restarts leave it alone.
     """
 
     name: str
@@ -186,6 +187,7 @@ class BlockType:
     legible: Callable[[Mapping[str, Any]], Iterator[Misfit]] | None = None
     refusal: Callable[[Mapping[str, float]], tuple[str, str] | None] | None = None
     events: tuple[str, ...] = ()
+    device: bool = False
 
     @property
     def ports(self) -> tuple[BlockParameter, ...]:
