@@ -82,6 +82,39 @@ class PlantNode:
         return tuple(f"{self.name}.{name}" for name in names)
 
 
+SKIP, LATE = "skip", "late"
+POLICIES = (SKIP, LATE)
+"""What becomes of scans that fall due while one is still running: left out, or the last of them run late."""
+
+WARM, COLD = "warm", "cold"
+RESTARTS = (WARM, COLD)
+"""What the blocks of the PLC remember after a restart: everything, or nothing."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Overruns:
+    """Scans that take longer than the scan time, and what becomes of those that fall due meanwhile.
+
+    `listed` has the number of a scan, as multiple of the scan time, and the
+    nanoseconds it takes; besides, each takes up to `longest` with probability
+    `chance`, drawn from the seed.
+    """
+
+    policy: str = SKIP
+    listed: tuple[tuple[int, int], ...] = ()
+    chance: float = 0.0
+    longest: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Restart:
+    """A restart of the PLC `at` a time, without scans while it `lasts`, in nanoseconds."""
+
+    at: int
+    kind: str = WARM
+    lasts: int = 0
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Timing:
     """Scan times, in integer nanoseconds.
@@ -89,7 +122,8 @@ class Timing:
     `latency` (0 to `scan`) passes between the reading of the inputs and the
     writing of the outputs; each scan's start is late by up to `jitter`, drawn
     from `seed`. Blocks that integrate or differentiate take the nominal cycle
-    time, or with `measured` the time since the last scan.
+    time, or with `measured` the time since the last scan. `loop.clock` says what
+    `overruns` and `restarts` do.
     """
 
     scan: int
@@ -98,6 +132,8 @@ class Timing:
     jitter: int = 0
     seed: int = 0
     measured: bool = False
+    overruns: Overruns = field(default_factory=Overruns)
+    restarts: tuple[Restart, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,7 +155,9 @@ class Diagram:
     """A closed loop: everything that a run needs, still by name.
 
     `aliases` gives further names to signals: the inputs and outputs of the
-    controller (`controller.distance` for the wire `crane.distance`).
+    controller (`controller.distance` for the wire `crane.distance`). The names of
+    the blocks in the PLC begin with `plc`; it is they that a restart reaches, but
+    for those that stand for devices.
     """
 
     plant: PlantNode
@@ -127,6 +165,7 @@ class Diagram:
     aliases: Mapping[str, Wire] = field(default_factory=dict)
     timing: Timing
     integration: Integration = field(default_factory=Integration)
+    plc: str = ""
 
     @property
     def exact(self) -> bool:

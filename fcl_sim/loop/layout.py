@@ -24,49 +24,47 @@ SAMPLED = 6
 """1 where the plant does something at each scan."""
 SCANS = 7
 """Number of scans, the one at the end not counted."""
-LATENCY = 8
-"""Nanoseconds from the reading of the inputs to the writing of the outputs."""
-MEASURED = 9
+MEASURED = 8
 """1 where blocks take the measured cycle time."""
-ROWS = 10
+ROWS = 9
 """Number of block rows."""
-ROWS_AT = 11
-WRITES_AT = 12
+ROWS_AT = 10
+WRITES_AT = 11
 """Where in `ints` the slot that each plant input is written from stands."""
-WRITE_SIGNS_AT = 13
+WRITE_SIGNS_AT = 12
 """Where in `floats` the sign of each of them stands."""
-SIGNALS = 14
+SIGNALS = 13
 """Number of checked signals at the beginning of `memory`."""
-SEGMENTS = 15
+SEGMENTS = 14
 """Number of stretches of `memory` that are recorded."""
-SEGMENTS_AT = 16
+SEGMENTS_AT = 15
 """Where in `ints` they stand, each as first slot and length."""
-STAGES = 17
+STAGES = 16
 """Rows of the integration scheme."""
-ADAPTIVE = 18
+ADAPTIVE = 17
 """1 where the scheme controls its step."""
-SCHEME_AT = 19
+SCHEME_AT = 18
 """Where in `floats` the scheme's table stands."""
-SCALES_AT = 20
+SCALES_AT = 19
 """Where in `floats` the scale of each state stands, padding included."""
-STEP_AT = 21
+STEP_AT = 20
 """Where in `floats` stand the tolerance, the step of a fixed scheme and the cycle time (s), the exponent."""
-PLANT_INPUTS_AT = 22
+PLANT_INPUTS_AT = 21
 """First slot of the plant's inputs in `memory`; its outputs begin at 0."""
 
-ROWS_END = 23
+ROWS_END = 22
 """Where in `ints` the block rows end."""
-KEEPS = 24
+KEEPS = 23
 """Number of late inputs, which a block reads as the last scan left them."""
-KEEPS_AT = 25
+KEEPS_AT = 24
 """Where in `ints` they stand, each as slot, where in `floats` its sign stands, slot of what is kept."""
 
-UNDER_WAY = 26
+UNDER_WAY = 25
 """For a linear plant, which is moved exactly, how many writes can be on their way; else 0."""
-DELAY = 27
+DELAY = 26
 """Nanoseconds until a write arrives in the last states of a linear plant."""
 
-HEAD = 28
+HEAD = 27
 """Words of the head."""
 
 RTOL, FIXED_STEP, CYCLE, EXPONENT = 0, 1, 2, 3

@@ -7,12 +7,13 @@ from fcl_sim.loop.diagram import Diagram, FuzzyNode
 from fcl_sim.loop.linked import linked
 from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.reported import events_of, refused
+from fcl_sim.loop.restart import restart_cold
 from fcl_sim.loop.simulate import simulate
 from fcl_sim.loop.state import RunState, initial_state
 from fcl_sim.loop.tape import Tape, lower
-from fcl_sim.loop.trace import Fault, FuzzyRecord, Trace, Values
+from fcl_sim.loop.trace import Fault, FuzzyRecord, Incident, Trace, Values
 from fcl_sim.loop.wiring import wire
-from fcl_sim.loop.work import INDEX, SAMPLES, STATUS, Ints
+from fcl_sim.loop.work import INDEX, ROW, SAMPLES, STATUS, Ints
 
 REASONS = {
     layout.NOT_FINITE: "is NaN or infinite",
@@ -54,13 +55,16 @@ def proceed(tape: Tape, state: RunState, record: Values, until: int | None = Non
     """
     scans = tape.starts.size
     last = scans if until is None else min(until, scans)
-    if state.over:
-        return
     functions = linked(tape.wiring.diagram.plant.model.functions, tape.further, *tape.fuzzy)
     views = (tape.floats.view(np.float32), state.memory.view(np.float32))
     buffers = (tape.ints, tape.floats, state.memory, *views, state.x, tape.p, state.progress, state.rows)
-    while simulate(functions, *buffers, tape.starts, record, last) == layout.OUTSIDE:
-        execute_outside(tape, state)
+    times = (tape.starts, tape.schedule.writes)
+    while state.scan < last and not state.over:
+        if state.scan in tape.schedule.cold and not state.progress[ROW]:
+            restart_cold(tape, state)
+        stop = min((each for each in tape.schedule.cold if state.scan < each < last), default=last)
+        while simulate(functions, *buffers, *times, record, stop) == layout.OUTSIDE:
+            execute_outside(tape, state)
 
 
 def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:
@@ -87,7 +91,14 @@ def _trace(tape: Tape, record: Values, progress: Ints, memory: Values) -> Trace:
         fuzzy=fuzzy,
         fault=_fault(tape, progress, memory),
         events=events_of(tape, record),
+        incidents=_incidents(tape, record.shape[0]),
     )
+
+
+def _incidents(tape: Tape, samples: int) -> tuple[Incident, ...]:
+    """Return what happened up to the last of so many samples."""
+    end = tape.starts[samples - 1] if samples else -1
+    return tuple(each for each in tape.schedule.incidents if each.tick <= end)
 
 
 def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:

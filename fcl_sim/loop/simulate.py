@@ -13,7 +13,6 @@ from fcl_sim.loop.integrate import advance
 from fcl_sim.loop.layout import (
     CYCLE,
     EVENTS,
-    LATENCY,
     MEASURED,
     NOT_FINITE,
     OUTSIDE,
@@ -99,13 +98,13 @@ def begin_run(plant: Plant, work: Work, t: float) -> None:
 
 
 @inlined
-def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: int) -> bool:
-    """Integrate from scan to scan, in nanoseconds, writing after the latency; return whether it could."""
+def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, write: int, end: int) -> bool:
+    """Integrate from scan to scan, in nanoseconds, writing in between, if then; return whether it could."""
     ints = work.ints
     exact = ints[u(UNDER_WAY)] > 0
     done = start
     for piece in range(2):
-        target = start + ints[u(LATENCY)] if piece == 0 else end
+        target = min(write, end) if piece == 0 else end
         if target > done:
             if exact:
                 if not advance_exactly(plant, work, done, target):
@@ -113,14 +112,14 @@ def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, end: in
             elif not advance(plant, work, done / 1e9, (target - done) / 1e9):
                 return False
             done = target
-        if piece == 0:
+        if piece == 0 and write <= end:
             write_outputs(ints, work.floats, memory)
             if exact:
                 send(work, target)
     return True
 
 
-@entry(signature(i8, LINKED, I, F, F, F4, F4, F, F, I, F, I, FF, i8))
+@entry(signature(i8, LINKED, I, F, F, F4, F4, F, F, I, F, I, I, FF, i8))
 def simulate(
     functions: Linked,
     ints: Ints,
@@ -133,6 +132,7 @@ def simulate(
     progress: Ints,
     rows: Floats,
     starts: Ints,
+    writes: Ints,
     record: Floats,
     until: int,
 ) -> int:
@@ -140,10 +140,11 @@ def simulate(
 
     x (states,), `memory`, `progress` (PROGRESS,) and `rows` are the state of a
     run (`loop.state`), taken up and left; `constants` and `singles` are
-    `floats` and `memory` as binary32 (`loop.blocks.fuzzy`). `starts` (scans + 1,) holds the
-    nanosecond at which each scan reads its inputs, the end included; of
-    `record` (scans + 1, columns) the scans that are run are filled. Status
-    OUTSIDE asks for the block whose row is `index`, and to be called again.
+    `floats` and `memory` as binary32 (`loop.blocks.fuzzy`). `starts` (scans + 1,)
+    holds the nanosecond at which each scan reads its inputs, the end included,
+    `writes` those at which it writes its outputs (`loop.clock`); of `record`
+    (scans + 1, columns) the scans that are run are filled. Status OUTSIDE asks for
+    the block whose row is `index`, and to be called again.
     """
     first_input = ints[u(PLANT_INPUTS_AT)]
     y = memory[0 : ints[u(PLANT_OUTPUTS)]]
@@ -181,7 +182,7 @@ def simulate(
             progress[u(INDEX)] = at
             return OUTSIDE
         progress[u(ROW)] = 0
-        if ints[u(LATENCY)] == 0:
+        if writes[u(scan)] == start:
             write_outputs(ints, floats, memory)
         unsound = first_unsound(ints, memory)
         if unsound >= 0:
@@ -190,7 +191,9 @@ def simulate(
             break
         record_sample(ints, memory, record[scan])
         progress[u(SAMPLES)] = scan + 1
-        if scan < ints[u(SCANS)] and not integrate_scan(plant, work, memory, start, starts[u(scan + 1)]):
+        if scan < ints[u(SCANS)] and not integrate_scan(
+            plant, work, memory, start, writes[u(scan)], starts[u(scan + 1)]
+        ):
             break
         progress[u(SCAN)] = scan + 1
     return int(progress[u(STATUS)])

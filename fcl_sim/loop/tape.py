@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
@@ -10,14 +11,16 @@ from fcl_sim.jit import Entry
 from fcl_sim.loop import layout
 from fcl_sim.loop.blocks import OPCODES
 from fcl_sim.loop.blocks.fuzzy import fuzzy_for
-from fcl_sim.loop.clock import most_under_way, scan_starts
-from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node
+from fcl_sim.loop.clock import Schedule, most_under_way, schedule
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.loop.execute import further_for
 from fcl_sim.loop.node_layout import NodeLayout, Outside, lay_out, outside_of
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.loop.settings import signals_of
 from fcl_sim.loop.wiring import Wiring
 from fcl_sim.loop.work import Floats, Ints
+
+NOTHING_FORCED: Mapping[str, float] = MappingProxyType({})
 
 LANES = 4
 """States are padded to a multiple of this, so that the integrator works in constant pieces."""
@@ -29,9 +32,9 @@ class Tape:
 
     `slots` says where each signal stands in memory; `segments` which stretches
     of memory (first slot, length) make the columns of the record; `instances`
-    where the memory of each fuzzy block begins. `further` executes the rows that
-    the loop does not, `fuzzy` the fuzzy blocks in LREAL, and those in REAL;
-    `outside` are the blocks in Python.
+    where the memory of each fuzzy block begins, `own` which stretch is each block's
+    own. `further` executes the rows that the loop does not, `fuzzy` the fuzzy
+    blocks in LREAL, and those in REAL; `outside` are the blocks in Python.
     """
 
     wiring: Wiring
@@ -40,13 +43,19 @@ class Tape:
     memory: Floats
     x: Floats
     p: Floats
-    starts: Ints
+    schedule: Schedule
     slots: Mapping[str, int]
     segments: tuple[tuple[int, int], ...]
     instances: Mapping[str, int]
+    own: Mapping[str, tuple[int, int]]
     further: Entry
     fuzzy: tuple[Entry, Entry]
     outside: Mapping[str, Outside]
+
+    @property
+    def starts(self) -> Ints:
+        """Nanosecond at which each scan reads its inputs, (scans + 1,), the end included."""
+        return self.schedule.starts
 
     def column(self, slot: int) -> int:
         """Return the column of the record that holds memory slot `slot`; ValueError if none does."""
@@ -60,26 +69,35 @@ class Tape:
 
 @dataclass(frozen=True, slots=True)
 class _Memory:
-    """How memory is shared out: slots of signals, own words of blocks, instances of fuzzy blocks."""
+    """How memory is shared out: slots of signals, own words of blocks, instances of fuzzy blocks.
+
+    `own` has the first and the number of a block's own words, instances included.
+    """
 
     slots: dict[str, int]
-    states: dict[str, int]
+    own: dict[str, tuple[int, int]]
     instances: dict[str, int]
     signals: int
     size: int
 
 
-def lower(wiring: Wiring, run: int = 0) -> Tape:
-    """Return the tape of a wiring; `run` numbers its runs, each with random numbers of its own."""
-    diagram = wiring.diagram
+def lower(wiring: Wiring, run: int = 0, forced: Mapping[str, float] = NOTHING_FORCED) -> Tape:
+    """Return the tape of a wiring; `run` numbers its runs, each with random numbers of its own.
+
+    Signals that are `forced`, not by an alias, keep their value whatever drives
+    them; memory is shared out as without. A forced input of the plant keeps what
+    stands in its slot.
+    """
+    diagram, times = wiring.diagram, schedule(wiring.diagram.timing, run)
     layouts = {name: lay_out(wiring, each, run) for name, each in _nodes(wiring).items()}
     memory = _share_out(diagram, wiring.order, layouts)
     ints, floats = _Buffer(layout.HEAD), _Buffer(0)
-    head = _plant_words(diagram) | _time_words(diagram)
+    head = _plant_words(diagram)
+    head |= {layout.SCANS: times.starts.size - 1, layout.MEASURED: int(diagram.timing.measured)}
     head |= _scheme_words(diagram, ints, floats)
-    rows = _row_words(wiring, memory, layouts, ints, floats)
+    rows = _row_words(wiring, memory, layouts, ints, floats, forced)
     head |= rows.head | _keep_words(layouts, memory, ints, floats)
-    head |= _write_words(wiring, memory, ints, floats)
+    head |= _write_words(wiring, memory, ints, floats, forced)
     segments = _segments(diagram, memory)
     head |= {
         layout.SIGNALS: memory.signals,
@@ -106,10 +124,11 @@ def lower(wiring: Wiring, run: int = 0) -> Tape:
             ],
             dtype=np.float64,
         ),
-        starts=scan_starts(diagram.timing, run),
+        schedule=times,
         slots=memory.slots,
         segments=segments,
         instances=memory.instances,
+        own=memory.own,
         further=further_for(rows.opcodes),
         fuzzy=fuzzy_for(
             {(node.arithmetic, node.program.curved) for node in wiring.order if isinstance(node, FuzzyNode)}
@@ -162,7 +181,7 @@ def _share_out(
     names += [node.name for node in order if isinstance(node, FuzzyNode) and node.in_real]
     slots = {name: slot for slot, name in enumerate(names)}
     signals = size = len(names)
-    states: dict[str, int] = {}
+    own: dict[str, tuple[int, int]] = {}
     instances: dict[str, int] = {}
     for node in order:
         if isinstance(node, FuzzyNode):
@@ -170,11 +189,12 @@ def _share_out(
             instances[node.name] = size
             for index, name in enumerate(signals_of(node)):
                 slots[name] = size + program.outputs_at + index
-            size += program.recorded + -(-program.size // 2) if node.in_real else program.size
+            in_memory = program.recorded + -(-program.size // 2) if node.in_real else program.size
+            own[node.name] = size, in_memory
         else:
-            states[node.name] = size
-            size += len(layouts[node.name].initial)
-    return _Memory(slots, states, instances, signals, size)
+            own[node.name] = size, len(layouts[node.name].initial)
+        size += own[node.name][1]
+    return _Memory(slots, own, instances, signals, size)
 
 
 def _plant_words(diagram: Diagram) -> dict[int, int]:
@@ -190,15 +210,6 @@ def _plant_words(diagram: Diagram) -> dict[int, int]:
         layout.SAMPLED: int(plant.samples),
         layout.DELAY: plant.delay or 0,
         layout.UNDER_WAY: 0 if plant.delay is None else most_under_way(diagram.timing, plant.delay),
-    }
-
-
-def _time_words(diagram: Diagram) -> dict[int, int]:
-    timing = diagram.timing
-    return {
-        layout.SCANS: timing.duration // timing.scan,
-        layout.LATENCY: timing.latency,
-        layout.MEASURED: int(timing.measured),
     }
 
 
@@ -218,7 +229,12 @@ def _scheme_words(diagram: Diagram, ints: _Buffer, floats: _Buffer) -> dict[int,
 
 
 def _row_words(
-    wiring: Wiring, memory: _Memory, layouts: Mapping[str, NodeLayout], ints: _Buffer, floats: _Buffer
+    wiring: Wiring,
+    memory: _Memory,
+    layouts: Mapping[str, NodeLayout],
+    ints: _Buffer,
+    floats: _Buffer,
+    forced: Mapping[str, float],
 ) -> _Rows:
     programs: dict[int, int] = {}
     singles: dict[int, Constants] = {}
@@ -233,6 +249,14 @@ def _row_words(
                 programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
     rows_at = len(ints)
     opcodes, outside = [], {}
+
+    def force(names: Iterable[str]) -> None:
+        for name in names:
+            if name in forced:
+                ints.append(_forcing_row(memory.slots[name], floats.append([forced[name]])))
+                opcodes.append(OPCODES["constant"])
+
+    force(_outputs(wiring.diagram.plant))
     for node in wiring.order:
         if isinstance(node, FuzzyNode):
             opcode, state = OPCODES["fuzzy"], memory.instances[node.name]
@@ -243,7 +267,7 @@ def _row_words(
                 words = [words[0], 2 * (state + node.program.recorded), memory.slots[node.name]]
             numbers: Sequence[float] = [each.sign for each in wires]
         else:
-            laid, opcode, state = layouts[node.name], OPCODES[node.type], memory.states[node.name]
+            laid, opcode, state = layouts[node.name], OPCODES[node.type], memory.own[node.name][0]
             inputs = [each.slot(memory.slots, state) for each in laid.inputs]
             words, numbers = laid.words, [*(each.sign for each in laid.inputs), *laid.numbers]
             if node.type == "python":
@@ -253,8 +277,18 @@ def _row_words(
         row = [opcode, length, output, state, floats.append(numbers), len(inputs)]
         ints.append([*row, *inputs, *words])
         opcodes.append(opcode)
-    head = {layout.ROWS: len(wiring.order), layout.ROWS_AT: rows_at, layout.ROWS_END: len(ints)}
+        force(signals_of(node))
+    head = {layout.ROWS: len(opcodes), layout.ROWS_AT: rows_at, layout.ROWS_END: len(ints)}
     return _Rows(head, opcodes, outside, singles)
+
+
+def _forcing_row(slot: int, number: int) -> list[int]:
+    """Return the row that gives a signal the constant that stands at `number`."""
+    return [OPCODES["constant"], layout.FIRST_INPUT, slot, slot, number, 0]
+
+
+def _outputs(plant: PlantNode) -> list[str]:
+    return [f"{plant.name}.{each.name}" for each in plant.model.declaration.outputs]
 
 
 def _keep_words(
@@ -264,13 +298,19 @@ def _keep_words(
     for name, laid in layouts.items():
         for each in laid.late:
             sign = floats.append([each.sign])
-            words += [memory.slots[each.source], sign, memory.states[name] + each.at]
+            words += [memory.slots[each.source], sign, memory.own[name][0] + each.at]
     return {layout.KEEPS: len(words) // 3, layout.KEEPS_AT: ints.append(words)}
 
 
-def _write_words(wiring: Wiring, memory: _Memory, ints: _Buffer, floats: _Buffer) -> dict[int, int]:
+def _write_words(
+    wiring: Wiring, memory: _Memory, ints: _Buffer, floats: _Buffer, forced: Mapping[str, float]
+) -> dict[int, int]:
     plant = wiring.diagram.plant
-    wires = [wiring.resolve(plant.inputs[each.name]) for each in plant.model.declaration.inputs]
+    names = [each.name for each in plant.model.declaration.inputs]
+    paths = {name: f"{plant.name}.{name}" for name in names}
+    wires = [
+        Wire(paths[name]) if paths[name] in forced else wiring.resolve(plant.inputs[name]) for name in names
+    ]
     return {
         layout.WRITES_AT: ints.append([memory.slots[each.source] for each in wires]),
         layout.WRITE_SIGNS_AT: floats.append([each.sign for each in wires]),
@@ -298,7 +338,7 @@ def _initial_memory(diagram: Diagram, memory: _Memory, layouts: Mapping[str, Nod
             else:
                 initial[at : at + program.size] = program.initial
         else:
-            at, own = memory.states[node.name], layouts[node.name].initial
+            at, own = memory.own[node.name][0], layouts[node.name].initial
             initial[at : at + len(own)] = own
     return initial
 

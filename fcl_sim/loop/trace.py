@@ -49,13 +49,23 @@ class BlockEvent:
     warning: bool
 
 
+@dataclass(frozen=True, slots=True)
+class Incident:
+    """Something that happened to the PLC: the time in nanoseconds, `restart` or `overrun`, a few words."""
+
+    tick: int
+    kind: str
+    text: str
+
+
 @dataclass(frozen=True, eq=False)
 class Trace:
     """Samples of one run, at its scans, the end included.
 
     `ticks` (n,) nanoseconds; `values` (n, signals) in the order of `names`;
     `units` the unit of each signal. `fault` is set when the run ended early;
-    the samples up to there are kept. `events` are what blocks reported, in the order of time.
+    the samples up to there are kept. `events` are what blocks reported, in the order of time,
+    `incidents` the restarts and overruns of the PLC.
     """
 
     ticks: NDArray[np.int64]
@@ -65,6 +75,7 @@ class Trace:
     fuzzy: Mapping[str, FuzzyRecord] = field(default_factory=dict)
     fault: Fault | None = None
     events: tuple[BlockEvent, ...] = ()
+    incidents: tuple[Incident, ...] = ()
 
     @property
     def events_by_kind(self) -> tuple[tuple[BlockEvent, ...], ...]:

@@ -50,6 +50,7 @@ def bind(scenario: Scenario, variant: str = BASE, load_block: LoadBlock = load) 
         aliases=aliases,
         timing=setup.timing,
         integration=setup.integration,
+        plc=f"{CONTROLLER}." if setup.controller else "",
     )
 
 

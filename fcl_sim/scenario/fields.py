@@ -10,8 +10,9 @@ from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.engine.precision import PRECISIONS
 from fcl_sim.judge.verdict import Form
+from fcl_sim.loop.diagram import POLICIES, RESTARTS
 from fcl_sim.loop.schemes import SCHEMES
-from fcl_sim.units import UnitError, nanoseconds, parse_quantity, parse_unit
+from fcl_sim.units import ONE, UnitError, nanoseconds, parse_quantity, parse_unit
 
 NAME = re.compile(r"[^\W\d]\w*")
 WIRE = re.compile(rf"-?{NAME.pattern}(\.{NAME.pattern})*")
@@ -89,6 +90,19 @@ def _count(value: Any) -> int:
     if not 0 <= value < 2**63:
         raise refused("SCN203", "{it} must lie between 0 and 2^63 - 1")
     return value
+
+
+def _chance(value: Any) -> Any:
+    quantity = parse_quantity(_quantity(value))
+    if not quantity.unit.commensurate(ONE) or not 0.0 <= quantity.to(ONE) <= 1.0:
+        raise refused("SCN203", f"{{it}} is a probability, not {value}", 'as in 0.01, or "1 %"')
+    return value
+
+
+def _long_scan(value: Any) -> Any:
+    if not isinstance(value, list) or len(value) != 2:
+        raise refused("SCN203", "{it} has pairs: a scan and how long it takes", 'as in [[120, "70 ms"]]')
+    return [_count(value[0]), _positive_time(value[1])]
 
 
 def _name(value: Any) -> str:
@@ -192,6 +206,10 @@ Time = Annotated[Any, PlainValidator(_time), _schema(WRITTEN, examples=["20 ms"]
 PositiveTime = Annotated[Any, PlainValidator(_positive_time), _schema(WRITTEN, examples=["50 ms", "60 s"])]
 Positive = Annotated[Any, PlainValidator(_positive), _schema(NUMBER, exclusiveMinimum=0)]
 Count = Annotated[Any, PlainValidator(_count), _schema({"type": "integer"}, minimum=0)]
+Chance = Annotated[Any, PlainValidator(_chance), _schema({}, anyOf=[WRITTEN, NUMBER])]
+LongScan = Annotated[
+    Any, PlainValidator(_long_scan), _schema({"type": "array"}, prefixItems=[{"type": "integer"}, WRITTEN])
+]
 Name = Annotated[str, PlainValidator(_name), _schema(TEXT, pattern=f"^{NAME.pattern}$")]
 UnitText = Annotated[Any, PlainValidator(_unit), _schema(TEXT, examples=["m", "deg", "kW", "1"])]
 WireText = Annotated[
@@ -203,6 +221,12 @@ SchemeName = Annotated[
 ]
 CycleTime = Annotated[
     Any, PlainValidator(lambda value: _choice(value, CYCLE_TIMES)), _schema({}, enum=list(CYCLE_TIMES))
+]
+Policy = Annotated[
+    Any, PlainValidator(lambda value: _choice(value, POLICIES)), _schema({}, enum=list(POLICIES))
+]
+RestartKind = Annotated[
+    Any, PlainValidator(lambda value: _choice(value, RESTARTS)), _schema({}, enum=list(RESTARTS))
 ]
 FormName = Annotated[Any, PlainValidator(_form), _schema({}, enum=list(Form))]
 Expectation = Annotated[

@@ -13,19 +13,24 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, Field, create_model
 
 from fcl_sim.loop.blocks import BLOCKS, BlockParameter, BlockType
+from fcl_sim.loop.diagram import SKIP
 from fcl_sim.scenario.fields import (
     Arithmetic,
+    Chance,
     Count,
     CycleTime,
     Expectation,
     Filled,
     FormName,
+    LongScan,
     Name,
+    Policy,
     Positive,
     PositiveTime,
     Quantified,
     QuantifiedOrList,
     QuantifiedOrWire,
+    RestartKind,
     SchemeName,
     Text,
     Time,
@@ -68,6 +73,25 @@ class FuzzyTable(Table):
     inputs: dict[str, WireText] = Field(description="for each input of the block, the signal it reads")
 
 
+class OverrunsTable(Table):
+    """Scans that take longer than the scan time."""
+
+    policy: Policy = Field(
+        SKIP, description="what becomes of scans that fall due meanwhile: left out, or the last run late"
+    )
+    scans: list[LongScan] = Field([], description="scans by number from 0, each with the time it takes")
+    chance: Chance = Field(0, description="probability that a scan overruns, drawn from the seed")
+    longest: PositiveTime = Field(None, description="longest of those that are drawn")
+
+
+class RestartTable(Table):
+    """A restart of the PLC in mid-run."""
+
+    at: PositiveTime = Field(description="time of the restart")
+    kind: RestartKind = Field(description="warm: its blocks remember everything; cold: they begin anew")
+    lasts: Time = Field(None, description="how long there are no scans; what was written is held")
+
+
 class TimingTable(Table):
     """When a scan reads and writes, as the PLC does it."""
 
@@ -75,6 +99,7 @@ class TimingTable(Table):
     jitter: Time = Field(None, description="each scan begins late by up to this, drawn from the seed")
     seed: Count = Field(0, description="seed of everything drawn in the run")
     cycle_time: CycleTime = Field("nominal", description="time between scans as the blocks take it")
+    overruns: OverrunsTable = Field(default_factory=OverrunsTable, description="scans that take too long")
 
 
 class IntegrationTable(Table):
@@ -174,6 +199,7 @@ class ScenarioFile(Table):
     integration: IntegrationTable = Field(
         default_factory=IntegrationTable, description="integration of the plant"
     )
+    restart: list[RestartTable] = Field([], description="restarts of the PLC")
     variants: dict[Name, dict[str, Any]] = Field({}, description="further runs, each by what differs")
     require: list[RequirementTable] = Field([], description="what is required of every run")
 

@@ -86,7 +86,11 @@ def _one(model: type[BaseModel], entry: Entry, what: str, error: ErrorDetails) -
         hint = hint if isinstance(name, str) else "write { ... }"
         return finding("SCN203", f"{_named(location)} is a table, not {kind(at.plain())}", at, hint)
     if error["type"] == "list_type":
-        hint = f"write [[{name}]]" if name == "require" else f"write {_named(location).strip('`')} = [ ... ]"
+        hint = (
+            f"write [[{name}]]"
+            if name in {"require", "restart"}
+            else f"write {_named(location).strip('`')} = [ ... ]"
+        )
         return finding("SCN203", f"{_named(location)} is a list, not {kind(at.plain())}", at, hint)
     context = error.get("ctx", {})
     message, hint = str(context.get("message", error["msg"])), str(context.get("hint", ""))

@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from textwrap import wrap
 from typing import Any
 
+from fcl_sim.loop.diagram import Timing
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.scenario.linear import is_linear, output_names
 from fcl_sim.scenario.model import BASE, Entries, RequirementText, Scenario, Setup
@@ -47,10 +48,11 @@ def _run(setup: Setup) -> Iterator[str]:
     for name in ("latency", "jitter"):
         if getattr(timing, name):
             yield f"{name} = {_time(getattr(timing, name))}"
-    if timing.jitter:
+    if timing.jitter or timing.overruns.chance:
         yield f"seed = {timing.seed}"
     if timing.measured:
         yield "blocks take the measured cycle time"
+    yield from _disturbed(timing)
     controlled = bool(SCHEMES[integration.scheme].error)
     accuracy = f"rtol {integration.rtol:g}" if controlled else f"step {integration.step:g} s"
     plant, linear = setup.plant, is_linear(setup.plant)
@@ -69,6 +71,19 @@ def _run(setup: Setup) -> Iterator[str]:
         yield from _wires("controller.", setup.controller.outputs)
     for name, block in setup.blocks.items():
         yield f"{name} = {_block(block)}"
+
+
+def _disturbed(timing: Timing) -> Iterator[str]:
+    """Yield what keeps the PLC from its scans."""
+    overruns = timing.overruns
+    for number, length in overruns.listed:
+        yield f"scan {number} takes {_time(length)}"
+    if overruns.chance:
+        yield f"{overruns.chance:.3%} of the scans take up to {_time(overruns.longest)}"
+    if overruns.listed or overruns.chance:
+        yield f"overruns: {overruns.policy}"
+    for each in timing.restarts:
+        yield f"{each.kind} restart at {_time(each.at)}" + (f" of {_time(each.lasts)}" if each.lasts else "")
 
 
 def _values(prefix: str, entries: Entries) -> Iterator[str]:

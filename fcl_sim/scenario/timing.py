@@ -4,9 +4,9 @@ from dataclasses import replace
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place
 from fcl_sim.loop import clock
-from fcl_sim.loop.diagram import Integration, Timing
+from fcl_sim.loop.diagram import SKIP, Integration, Overruns, Restart, Timing
 from fcl_sim.toml.tree import Entry, finding, overlaid
-from fcl_sim.units import nanoseconds, parse_quantity
+from fcl_sim.units import ONE, nanoseconds, parse_quantity
 
 
 def timing_of(tree: Entry, controller: Entry | None) -> tuple[Timing | None, list[Diagnostic]]:
@@ -24,6 +24,8 @@ def timing_of(tree: Entry, controller: Entry | None) -> tuple[Timing | None, lis
         jitter=_ticks(table.get("jitter")),
         seed=int(seed.value) if seed else 0,
         measured=cycle is not None and cycle.value == "measured",
+        overruns=_overruns(table.get("overruns")),
+        restarts=_restarts(tree.get("restart")),
     )
     try:
         clock.check(timing)
@@ -43,9 +45,36 @@ def _table(tree: Entry, controller: Entry | None) -> Entry:
 
 def _places(fault: Diagnostic, table: Entry, tree: Entry, scan: Entry) -> tuple[Place, ...]:
     """Return where the values stand that a fault of the clock speaks of."""
-    late = [table.get("latency"), table.get("jitter")]
-    entries = late if "latency" in fault.message else [tree.get("duration")]
+    entries = [tree.get("duration")]
+    if "latency" in fault.message:
+        entries = [table.get("latency"), table.get("jitter")]
+    elif "overrun" in fault.message:
+        entries = [table.get("overruns")]
+    elif "restart" in fault.message:
+        return tuple(Place(span=each.span) for each in [tree.get("restart")] if each is not None)
     return tuple(Place(span=each.span) for each in (*entries, scan) if each is not None)
+
+
+def _overruns(table: Entry | None) -> Overruns:
+    if table is None:
+        return Overruns()
+    policy, chance, scans = (table.get(each) for each in ("policy", "chance", "scans"))
+    pairs = [each.items for each in scans.items] if scans else []
+    return Overruns(
+        policy=str(policy.value) if policy else SKIP,
+        listed=tuple((int(number.value), _ticks(length)) for number, length in pairs),
+        chance=parse_quantity(chance.value).to(ONE) if chance else 0.0,
+        longest=_ticks(table.get("longest")),
+    )
+
+
+def _restarts(tables: Entry | None) -> tuple[Restart, ...]:
+    return tuple(
+        Restart(
+            at=_ticks(each.table["at"]), kind=str(each.table["kind"].value), lasts=_ticks(each.get("lasts"))
+        )
+        for each in (tables.items if tables else ())
+    )
 
 
 def _scan(tree: Entry, controller: Entry | None) -> tuple[Entry | None, list[Diagnostic]]:

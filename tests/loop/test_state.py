@@ -6,13 +6,16 @@ import numpy as np
 import pytest
 
 from fcl_sim.loop.blocks.setting import Text
-from fcl_sim.loop.diagram import Node, Wire
+from fcl_sim.loop.diagram import Node, Overruns, Restart, Wire
 from fcl_sim.loop.run import empty_record, proceed, run, run_tape, trace_of
 from fcl_sim.loop.state import initial_state
 from fcl_sim.loop.tape import lower
 from fcl_sim.loop.wiring import wire
 from fcl_sim.units import parse_quantity
+from tests.loop.block_loops import node
 from tests.loop.diagrams import crane, timing
+
+COUNTER = "def step(inputs, state, t):\n    state['n'] = state.get('n', 0) + 1\n    return state['n']\n"
 
 
 def loop():
@@ -29,6 +32,32 @@ def loop():
         ),
     )
     return replace(diagram, nodes=(*diagram.nodes, *nodes))
+
+
+def disturbed_loop():
+    """Noise, delays, faults, devices that remember, overruns, and restarts of either kind."""
+    diagram = loop()
+    disturbed = replace(
+        diagram.timing,
+        overruns=Overruns(policy="late", listed=((7, 130 * 10**6),), chance=0.1, longest=120 * 10**6),
+        restarts=(
+            Restart(at=1_230_000_000, kind="cold"),
+            Restart(at=3_000_000_000, kind="warm", lasts=170 * 10**6),
+            Restart(at=5_000_000_000, kind="cold", lasts=60 * 10**6),
+        ),
+    )
+    seen, begins = {"input": "crane.distance"}, {"from": "1 s", "to": "4 s"}
+    own = {"file": Text("own.py", COUNTER), "outputs": {"n": "1"}}
+    nodes = (
+        node("noise", "noise", sigma="2 m", correlation_time="1 s"),
+        node("delay", "dead_time", seen, time="330 ms"),
+        node("sensor", "sensor", seen, lag="0.2 s", noise="1 cm", low="-50 m", high="50 m", bits=10),
+        node("drive", "actuator", {"input": "noise"}, stiction="1 m", rate="3 m/s", backlash="0.5 m"),
+        node("lost", "fault", {"input": "sensor"}, kind="dropout", chance=0.3, **begins),
+        node("old", "fault", {"input": "lost"}, kind="delayed", delay="150 ms"),
+        Node(name="count", type="python", parameters=own),
+    )
+    return replace(diagram, nodes=(*diagram.nodes, *nodes), timing=disturbed)
 
 
 def in_pieces(tape, stops):
@@ -53,6 +82,17 @@ def test_a_run_in_pieces_is_the_run_in_one(stops):
         assert np.array_equal(pieces.fuzzy[name].degrees, record.degrees)
 
 
+@pytest.mark.parametrize("every", [1, 7, 1000])
+def test_a_run_in_pieces_is_the_run_in_one_whatever_disturbs_it(every):
+    tape = lower(wire(disturbed_loop()))
+    whole, pieces = run_tape(tape), in_pieces(tape, range(0, tape.starts.size, every))
+    assert whole.fault is None
+    assert len(tape.schedule.cold) == 2
+    assert np.array_equal(pieces.values, whole.values)
+    assert np.array_equal(pieces.ticks, whole.ticks)
+    assert pieces.incidents == whole.incidents
+
+
 def test_a_saved_state_is_left_alone_by_the_run_that_goes_on():
     tape = lower(wire(loop()))
     state, record = initial_state(tape), empty_record(tape)
@@ -67,9 +107,9 @@ def test_a_saved_state_is_left_alone_by_the_run_that_goes_on():
 
 def test_a_run_that_is_over_stays_where_it_is():
     text = Text("own.py", "def step(inputs, state, t):\n    return float('nan') if t > 1.0 else 0.0\n")
-    node = Node(name="own", type="python", parameters={"file": text, "outputs": {"y": "m"}})
+    own = Node(name="own", type="python", parameters={"file": text, "outputs": {"y": "m"}})
     diagram = crane(timing=timing(50.0, 2.0))
-    tape = lower(wire(replace(diagram, nodes=(*diagram.nodes, node))))
+    tape = lower(wire(replace(diagram, nodes=(*diagram.nodes, own))))
     state, record = initial_state(tape), empty_record(tape)
     proceed(tape, state, record)
     assert state.over
