@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from fcl_sim.block import Block, load, load_all, loads
     from fcl_sim.diagnostics import InputFault
     from fcl_sim.engine.instance import Instance
-    from fcl_sim.testbench import Outcome, run
+    from fcl_sim.testbench import OpenLoop, Outcome, open_loop, run
 
 __version__ = "0.1.0"
 
@@ -19,12 +19,14 @@ __all__ = [
     "Block",
     "InputFault",
     "Instance",
+    "OpenLoop",
     "Outcome",
     "__version__",
     "interop",
     "load",
     "load_all",
     "loads",
+    "open_loop",
     "run",
 ]
 
@@ -32,10 +34,12 @@ _HOMES = {
     "Block": "fcl_sim.block",
     "InputFault": "fcl_sim.diagnostics",
     "Instance": "fcl_sim.engine.instance",
+    "OpenLoop": "fcl_sim.testbench",
     "Outcome": "fcl_sim.testbench",
     "load": "fcl_sim.block",
     "load_all": "fcl_sim.block",
     "loads": "fcl_sim.block",
+    "open_loop": "fcl_sim.testbench",
     "run": "fcl_sim.testbench",
 }
 """Where each public name lives."""

@@ -13,21 +13,24 @@ from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.judge.judge import judge
 from fcl_sim.judge.verdict import Requirement, Status, Verdict, worst
 from fcl_sim.loop.diagram import Diagram
+from fcl_sim.loop.open import OpenLoop
 from fcl_sim.loop.run import run as simulate
 from fcl_sim.loop.trace import Trace
 from fcl_sim.loop.wiring import wire
 from fcl_sim.scenario.bench import bench_of
-from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements
+from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements, setup_called
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 
 __all__ = [
     "BASE",
+    "OpenLoop",
     "Outcome",
     "Prepared",
     "Run",
     "bench_of",
     "judge_trace",
+    "open_loop",
     "prepare",
     "run",
     "run_prepared",
@@ -95,6 +98,19 @@ def run(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Outcome
     the scenario and the files it names, before anything is simulated.
     """
     return run_scenario(read(path, overrides))
+
+
+def open_loop(
+    scenario: Scenario | Path | str, variant: str = BASE, overrides: Mapping[str, Any] | None = None
+) -> OpenLoop:
+    """Return the loop of a variant before its first scan, to be run scan by scan from Python.
+
+    `overrides` by dotted key are laid over a scenario file that is named, not over
+    one that was read. InputFault carries every fault of the scenario.
+    """
+    found = scenario if isinstance(scenario, Scenario) else read(scenario, overrides)
+    setup_called(found, variant)
+    return OpenLoop(wire(_prepare(found, variant, load).diagram))
 
 
 def run_scenario(scenario: Scenario) -> Outcome:
