@@ -1,13 +1,16 @@
-"""The figure of an inference that `fcl-sim eval --figure` writes."""
+"""The figures that `fcl-sim eval --figure` and `fcl-sim show wiring --figure` write."""
 
 from datetime import UTC, datetime
 from pathlib import Path
 
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.engine.explain import Explanation
+from fcl_sim.loop.wiring import Wiring
 from fcl_sim.model import FunctionBlock
 from fcl_sim.report.inference import picture
+from fcl_sim.report.pictures import Picture
 from fcl_sim.report.sheet import write_sheet
+from fcl_sim.report.wiring import picture as picture_of_wiring
 
 
 def write(block: FunctionBlock, explanation: Explanation, source: Path, target: Path) -> None:
@@ -15,8 +18,17 @@ def write(block: FunctionBlock, explanation: Explanation, source: Path, target: 
 
     InputFault where the folder does not exist, or for another ending.
     """
+    _write(picture(block, explanation), source, target)
+
+
+def write_wiring(wiring: Wiring, title: str, source: Path, target: Path) -> None:
+    """Write the figure of a wiring in the same way."""
+    _write(picture_of_wiring(wiring, title), source, target)
+
+
+def _write(drawn: Picture, source: Path, target: Path) -> None:
     if not target.parent.is_dir():
         hint = "make the folder, or name another one"
         raise InputFault.at_file("RUN101", str(target), f"there is no folder `{target.parent}`", hint)
     date = datetime.fromtimestamp(int(source.stat().st_mtime), UTC)
-    write_sheet([picture(block, explanation)], target, date)
+    write_sheet([drawn], target, date)

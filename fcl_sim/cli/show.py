@@ -1,5 +1,6 @@
 """`fcl-sim show`: every noun on the way from a text to a run."""
 
+from importlib import import_module
 from pathlib import Path
 
 import click
@@ -28,7 +29,13 @@ OF_SCENARIO = ("scenario", "wiring", "tape")
 @click.argument("stage", type=click.Choice((*OF_RULE_BASE, *OF_SCENARIO)))
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--variant", default=BASE, show_default=True, help="Which run, of wiring and tape.")
-def command(stage: str, file: Path, variant: str) -> Exit:
+@click.option(
+    "--figure",
+    type=click.Path(path_type=Path),
+    metavar="OUT",
+    help="Draw the wiring, as OUT.svg, OUT.png or OUT.pdf.",
+)
+def command(stage: str, file: Path, variant: str, figure: Path | None) -> Exit:
     """Print what a file becomes on its way: tokens, tree, model, wiring ...
 
     \b
@@ -38,11 +45,24 @@ def command(stage: str, file: Path, variant: str) -> Exit:
     if (file.suffix == ".toml") != (stage in OF_SCENARIO) and file.suffix in {".toml", ".fcl"}:
         kind, stages = ("scenario", OF_SCENARIO) if file.suffix == ".toml" else ("rule base", OF_RULE_BASE)
         raise click.UsageError(f"there is no {stage} of a {kind}, but its {listed(stages)}")
+    if figure is not None:
+        if stage != "wiring":
+            raise click.UsageError(f"there is no figure of a {stage}, but of a wiring")
+        _draw(file, variant, figure)
     text, findings = _shown(stage, file, variant)
     click.echo(text)
     if findings:
         say(render_all(findings))
     return Exit.INPUT if any(each.is_error for each in findings) else Exit.GREEN
+
+
+def _draw(file: Path, variant: str, target: Path) -> None:
+    """Write the figure of a wiring; what draws is loaded for this alone."""
+    scenario = read(file)
+    wiring = wire(bind(scenario, variant))
+    title = scenario.variants[variant].title
+    import_module("fcl_sim.cli.figure").write_wiring(wiring, title, file, target)
+    click.echo(f"written: {target}", err=True)
 
 
 def _shown(stage: str, file: Path, variant: str) -> tuple[str, tuple[Diagnostic, ...]]:

@@ -14,6 +14,7 @@ from fcl_sim.report import typeset
 from fcl_sim.report.characteristics import characteristic, memberships
 from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.pictures import Picture
+from fcl_sim.report.style import WIDTH
 from fcl_sim.report.vector import svg
 
 FORMATS: Mapping[str, Literal["png", "svg", "pdf"]] = MappingProxyType(
@@ -46,11 +47,13 @@ def write_sheet(pictures: Sequence[Picture], file: Path, date: datetime) -> None
         )
     with workplace(file.parent) as work:
         drawn = [
-            {"file": f"{number}.svg", "alt": each.alt, "caption": each.caption}
+            {"file": f"{number}.svg", "alt": each.alt, "caption": each.caption, "width": WIDTH}
             for number, each in enumerate(pictures)
         ]
         for entry, picture in zip(drawn, pictures, strict=True):
-            (work / entry["file"]).write_bytes(svg(picture.draw()))
+            figure = picture.draw()
+            entry["width"] = max(WIDTH, float(figure.get_size_inches()[0]) * 25.4)
+            (work / str(entry["file"])).write_bytes(svg(figure))
         (work / "sheet.json").write_text(json.dumps(drawn), encoding="utf-8")
         made = work / f"sheet.{kind}"
         made.write_bytes(typeset.sheet(work, kind, date))

@@ -20,7 +20,7 @@ SHEET = b"""
 #set page(width: auto, height: auto, margin: 6mm, fill: white)
 #set text(font: "DejaVu Sans", size: 7.2pt)
 #for each in json("sheet.json") {
-  block(width: 166mm, image(each.file, alt: each.alt) + each.caption, below: 7mm)
+  block(width: each.width * 1mm, image(each.file, alt: each.alt) + each.caption, below: 7mm)
 }
 """
 

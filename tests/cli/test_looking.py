@@ -57,6 +57,24 @@ def test_a_stage_that_a_file_does_not_have_is_wrong_usage(invoke):
     assert "there is no wiring of a rule base, but its tokens, tree, model or program" in result.stderr
 
 
+@pytest.mark.parametrize(("ending", "begins"), [("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])
+def test_the_wiring_is_drawn_in_the_format_that_the_name_ends_in(invoke, tmp_path, ending, begins):
+    target = tmp_path / f"loop.{ending}"
+    result = invoke("show", "wiring", CRANE / "transfer.toml", "--figure", target)
+    assert (result.exit_code, result.stderr) == (0, f"written: {target}\n")
+    assert "blocks, in their order of execution" in result.stdout
+    assert target.read_bytes().startswith(begins)
+
+
+def test_a_figure_of_anything_else_or_into_nowhere_is_refused(invoke, tmp_path):
+    other = invoke("show", "tape", CRANE / "transfer.toml", "--figure", tmp_path / "loop.svg")
+    assert other.exit_code == 2
+    assert "there is no figure of a tape, but of a wiring" in other.stderr
+    lost = invoke("show", "wiring", CRANE / "transfer.toml", "--figure", tmp_path / "no" / "loop.svg")
+    assert lost.exit_code == 3
+    assert "error[RUN101]" in lost.stderr
+
+
 # -- plot
 
 
