@@ -68,7 +68,7 @@ def summit(before: float, between: float, after: float) -> float:
     return 1.0
 
 
-@flat
+@inlined
 def within(plant: Plant, work: Work, t: float, h: float) -> float:
     """Return at what part of a step with step control an armed event may stand beyond zero, 1 if at none.
 
@@ -76,9 +76,12 @@ def within(plant: Plant, work: Work, t: float, h: float) -> float:
     """
     ints, rows, middle = work.ints, work.rows, work.middle
     at = row_of(0, ints[u(STATES)])
-    for i in range(ints[u(STATES)]):
-        bow = 0.125 * h * (rows[u(at + i)] - work.dx[u(i)])
-        middle[u(i)] = 0.5 * (work.x[u(i)] + work.trial[u(i)]) + bow
+    x, trial, dx, bow = work.x, work.trial, work.dx, 0.125 * h
+    for i in range(0, ints[u(STATES)], 4):
+        middle[u(i)] = 0.5 * (x[u(i)] + trial[u(i)]) + bow * (rows[u(at + i)] - dx[u(i)])
+        middle[u(i + 1)] = 0.5 * (x[u(i + 1)] + trial[u(i + 1)]) + bow * (rows[u(at + i + 1)] - dx[u(i + 1)])
+        middle[u(i + 2)] = 0.5 * (x[u(i + 2)] + trial[u(i + 2)]) + bow * (rows[u(at + i + 2)] - dx[u(i + 2)])
+        middle[u(i + 3)] = 0.5 * (x[u(i + 3)] + trial[u(i + 3)]) + bow * (rows[u(at + i + 3)] - dx[u(i + 3)])
     plant.events(t + 0.5 * h, middle, work.held, work.p, work.progress[u(MODE)], work.gm)
     armed = work.progress[u(ARMED)]
     directions = ints[u(DIRECTIONS_AT)]
@@ -92,27 +95,19 @@ def within(plant: Plant, work: Work, t: float, h: float) -> float:
 
 
 @flat
-def crossed(plant: Plant, work: Work, t: float, h: float, inside: bool) -> tuple[float, int]:  # noqa: FBT001  a kernel
-    """Return the part of the step h at whose end an event just happened, and that event; 1 and -1 if none.
+def cut_short(plant: Plant, work: Work, t: float, h: float, part: float, event: int) -> tuple[float, int]:
+    """Return the part of the step h at whose end an event stands beyond zero, and that event.
 
-    `trial` and g1 then belong to that part. Looked for at the end of the step
-    and, if `inside`, within it.
+    It may do so at `part`; if it does not, what is left is `event` at the end
+    of the step, -1 for none. `trial` and g1 then belong to the part returned.
     """
-    event = look(plant, work, t + h, work.trial, work.g1)
-    part = within(plant, work, t, h) if inside else 1.0
-    if part < 1.0:
-        attempt(plant, work, t, part * h)
-        found = look(plant, work, t + part * h, work.trial, work.g1)
-        if found >= 0:
-            event = found
-        else:
-            part = 1.0
-            attempt(plant, work, t, h)
-            plant.events(t + h, work.trial, work.held, work.p, work.progress[u(MODE)], work.g1)
-    if event < 0:
-        return 1.0, -1
-    cut, event = locate(plant, work, t, part * h, event)
-    return part * cut, event
+    attempt(plant, work, t, part * h)
+    found = look(plant, work, t + part * h, work.trial, work.g1)
+    if found >= 0:
+        return part, found
+    attempt(plant, work, t, h)
+    plant.events(t + h, work.trial, work.held, work.p, work.progress[u(MODE)], work.g1)
+    return 1.0, event
 
 
 @flat

@@ -9,7 +9,7 @@ step is cut there and restarted (`loop.events`).
 from math import ceil, inf
 
 from fcl_sim.jit import inlined, u
-from fcl_sim.loop.events import crossed, look, rearm, settle
+from fcl_sim.loop.events import cut_short, locate, look, rearm, settle, within
 from fcl_sim.loop.layout import (
     ADAPTIVE,
     BLEW_UP,
@@ -113,7 +113,13 @@ def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
             continue
         event, part = -1, 1.0
         if ints[u(EVENTS)] > 0:
-            part, event = crossed(plant, work, t + done, h, adaptive)
+            event = look(plant, work, t + done + h, work.trial, work.g1)
+            part = within(plant, work, t + done, h) if adaptive else 1.0
+            if part < 1.0:
+                part, event = cut_short(plant, work, t + done, h, part, event)
+            if event >= 0:
+                cut, event = locate(plant, work, t + done, part * h, event)
+                part *= cut
             rearm(ints, work.g1, progress)
         carry(work)
         done = length if pieces == 1.0 and part == 1.0 else done + part * h
