@@ -54,8 +54,13 @@ class Block:
 
     @property
     def declared_arithmetic(self) -> str:
-        """The arithmetic of its data types (S36): REAL where there is REAL and no LREAL, else LREAL."""
+        """The arithmetic of its data types (S36): REAL where there is REAL and no LREAL, else LREAL.
+
+        INT where all are INT, or SINT and USINT, whose numbers INT holds.
+        """
         types = {each.type for each in (*self.function_block.inputs, *self.function_block.outputs)}
+        if types <= {DataType.SINT, DataType.INT, DataType.USINT}:
+            return "INT"
         return "REAL" if DataType.REAL in types and DataType.LREAL not in types else "LREAL"
 
     def __repr__(self) -> str:

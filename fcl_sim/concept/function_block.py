@@ -88,6 +88,32 @@ class IntegerInstance:
         """Degree of firing of each rule at the last call, 0 .. 10000."""
         return {label: int(self._memory[word]) for label, word in self._network.degrees.items()}
 
+    @property
+    def active(self) -> dict[str, bool]:
+        """Whether any rule was active for each output at the last call."""
+        return {name: bool(self._memory[words].any()) for name, words in self._network.shares.items()}
+
+    def resume(self, **outputs: float) -> None:
+        """Set outputs to values from which the next call goes on: what NC keeps, as after a warm restart.
+
+        Raises TypeError for an unknown output or what is no number, ValueError
+        for one that INT cannot hold.
+        """
+        memory = self._memory.copy()
+        for name, value in outputs.items():
+            known = _declared(name, tuple(self._network.outputs), "output")
+            memory[self._network.outputs[known]] = self._counts(known, value)
+        self._memory = memory
+
+    def beyond(self, **inputs: float) -> str:
+        """Return the first of these inputs that INT cannot hold, empty where it can hold all."""
+        for name, value in inputs.items():
+            try:
+                self._counts(_declared(name, tuple(self._network.inputs), "input"), value)
+            except ValueError:
+                return name
+        return ""
+
     def reset(self) -> None:
         """Set inputs and outputs to their initial values, as a cold restart does."""
         self._memory[:] = self._network.memory

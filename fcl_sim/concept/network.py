@@ -6,7 +6,7 @@ how many of them carry the stem, where its outputs begin, the number of its
 wires; then the wires, each as the word that it reads and the word it writes.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,7 +25,8 @@ class Network:
     """Wired blocks. `memory` is what they begin with; `names` say what each step does.
 
     `inputs`, `outputs` and `degrees` say in which word a variable, or the
-    degree of a rule, is; letter case as declared.
+    degree of a rule, is; `shares` in which words the accumulated degrees of an
+    output's terms are; letter case as declared.
     """
 
     steps: Ints
@@ -34,6 +35,7 @@ class Network:
     inputs: Mapping[str, int]
     outputs: Mapping[str, int]
     degrees: Mapping[str, int]
+    shares: Mapping[str, Sequence[int]]
 
 
 @kernel
@@ -115,7 +117,11 @@ class Wiring:
         return self.words([value])
 
     def network(
-        self, inputs: Mapping[str, int], outputs: Mapping[str, int], degrees: Mapping[str, int]
+        self,
+        inputs: Mapping[str, int],
+        outputs: Mapping[str, int],
+        degrees: Mapping[str, int],
+        shares: Mapping[str, Sequence[int]],
     ) -> Network:
         """Return what was wired."""
         return Network(
@@ -125,4 +131,5 @@ class Wiring:
             inputs=inputs,
             outputs=outputs,
             degrees=degrees,
+            shares=shares,
         )

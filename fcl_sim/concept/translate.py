@@ -34,6 +34,7 @@ from fcl_sim.model import (
     Singleton,
     Term,
 )
+from fcl_sim.model.labels import unique_labels
 
 AND = {AndOperator.MIN: MIN_INT, AndOperator.PROD: PROD_INT}
 OR = {OrOperator.MAX: MAX_INT, OrOperator.BSUM: SUM_INT}
@@ -69,6 +70,7 @@ class _Translation:
     found: dict[str, list[Place]] = field(default_factory=dict)
     inputs: dict[str, int] = field(default_factory=dict)
     terms: dict[tuple[str, str], int] = field(default_factory=dict)
+    shares: dict[str, list[int]] = field(default_factory=dict)
 
     def refuse(self, feature: str, span: Span | None) -> None:
         places = self.found.setdefault(feature, [])
@@ -106,7 +108,10 @@ def translated(block: FunctionBlock, scales: Mapping[str, Scale]) -> Network:
         )
     declared = {each.name.casefold(): each.name for each in block.outputs}
     return own.wiring.network(
-        own.inputs, {declared[name.casefold()]: word for name, word in outputs.items()}, degrees
+        own.inputs,
+        {declared[name.casefold()]: word for name, word in outputs.items()},
+        degrees,
+        {declared[name.casefold()]: words for name, words in own.shares.items()},
     )
 
 
@@ -187,9 +192,10 @@ def _rules(own: _Translation) -> tuple[dict[str, int], Conclusions]:
     """Add conditions and weights of all rules; return the words of their degrees, and conclusions."""
     degrees: dict[str, int] = {}
     conclusions: Conclusions = {}
+    labels = iter(unique_labels(own.block))
     for number, rule_block in enumerate(own.block.rule_blocks):
         for rule in rule_block.rules:
-            label = f"{rule_block.name}.{rule.label}" if len(own.block.rule_blocks) > 1 else rule.label
+            label = next(labels)
             degree = _condition(own, rule_block, rule, rule.condition)
             degrees[label] = degree
             for each in rule.conclusions:
@@ -263,6 +269,7 @@ def _defuzzify(own: _Translation, output: Defuzzification, conclusions: Conclusi
             own.refuse(f"`{term.name}` of `{output.variable}` is not a constant singleton", term.span)
             continue
         pairs += [accumulate(term), own.wiring.constant(own.counts(output.variable, place, term.span))]
+    own.shares[output.variable] = pairs[::2]
     pairs += [own.wiring.constant(0)] * (4 - len(pairs))
     if len(pairs) > DEFUZ_INT.most:
         own.refuse(f"`{output.variable}` has more than {DEFUZ_INT.most // 2} terms", output.span)

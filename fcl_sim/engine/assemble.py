@@ -13,7 +13,6 @@ from fcl_sim.engine.assemble_rules import code_of, put_rules
 from fcl_sim.engine.buffers import Buffers
 from fcl_sim.engine.conditions import Leaf, depth
 from fcl_sim.engine.grid import Cell, Grid, merge
-from fcl_sim.engine.labels import unique_labels
 from fcl_sim.engine.masks import Code, every, fireable, summary_words, words_of
 from fcl_sim.engine.narrow import narrowed, too_large
 from fcl_sim.engine.plan import Moved, Plan, plan
@@ -25,6 +24,7 @@ from fcl_sim.engine.straighten import straightened
 from fcl_sim.engine.switches import switched
 from fcl_sim.engine.together import together
 from fcl_sim.model import Curve, FunctionBlock, Variable
+from fcl_sim.model.labels import unique_labels
 
 
 def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fcl_sim.block import Block
+from fcl_sim.concept.function_block import IntegerInstance
 from fcl_sim.diagnostics import Span
 from fcl_sim.engine.program import Program
 from fcl_sim.plant.catalog import PlantModel
@@ -42,7 +43,9 @@ class Node:
 class FuzzyNode:
     """A fuzzy function block; `units` gives a unit to each of its variables (FCL has none).
 
-    `arithmetic` is what it computes in, LREAL or REAL.
+    `arithmetic` is what it computes in, LREAL, REAL or INT; in INT `scale` says
+    by variable what a count is, factor and offset in the variable's unit, and
+    `rounding` is of quotients.
     """
 
     name: str
@@ -50,17 +53,28 @@ class FuzzyNode:
     inputs: Mapping[str, Wire]
     units: Mapping[str, str] = field(default_factory=dict)
     arithmetic: str = "LREAL"
+    scale: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    rounding: str = "truncate"
     span: Span | None = field(default=None, compare=False, repr=False)
 
     @property
     def program(self) -> Program:
-        """The block's program in its arithmetic."""
-        return self.block.program_in(self.arithmetic)
+        """The block's program in its arithmetic; in INT that of LREAL, which says what is recorded."""
+        return self.block.program_in("LREAL" if self.in_int else self.arithmetic)
 
     @property
     def in_real(self) -> bool:
         """Whether it computes in binary32."""
         return self.arithmetic == "REAL"
+
+    @property
+    def in_int(self) -> bool:
+        """Whether it computes in INT, outside the compiled loop."""
+        return self.arithmetic == "INT"
+
+    def integer_instance(self) -> IntegerInstance:
+        """Return an instance in INT; InputFault for what INT cannot do (FCL414)."""
+        return self.block.instance("INT", scale=self.scale, rounding=self.rounding)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

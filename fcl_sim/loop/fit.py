@@ -37,7 +37,8 @@ def unfit_node(node: Node | FuzzyNode) -> Iterator[Diagnostic]:
         program = node.block.program
         yield from _unfit_inputs(node, program.input_names, program.input_names)
         known = (*program.input_names, *program.output_names)
-        yield from unfit_names(f"`{node.name}`", "variable", known, node.units, node.span)
+        for given in (node.units, node.scale):
+            yield from unfit_names(f"`{node.name}`", "variable", known, given, node.span)
         return
     kind, members = type_of(node), members_of(node)
     needed = tuple(each.name for each in kind.inputs if each.default is None)

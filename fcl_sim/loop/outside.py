@@ -1,10 +1,13 @@
-"""Execute a block in Python, between two calls of `simulate`."""
+"""Execute a block in Python, or a fuzzy one in INT, between two calls of `simulate`."""
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place
 from fcl_sim.loop.blocks.user_function import UserFault, call
+from fcl_sim.loop.integer import IntegerBlock
 from fcl_sim.loop.layout import FIRST_INPUT, INPUTS, OUTPUT, PARAMETERS
+from fcl_sim.loop.settings import signals_of
 from fcl_sim.loop.state import RunState
 from fcl_sim.loop.tape import Tape
+from fcl_sim.loop.trace import Fault
 from fcl_sim.loop.work import INDEX, SCAN
 
 
@@ -18,6 +21,12 @@ def execute_outside(tape: Tape, state: RunState) -> None:
         port: float(signs[i] * state.memory[tape.ints[first + i]])
         for i, port in enumerate(outside.ports[:count])
     }
+    if isinstance(outside, IntegerBlock):
+        failed = outside.evaluate(inputs, state.memory)
+        if failed is not None:
+            tick = int(tape.starts[state.progress[SCAN]])
+            state.own[name]["fault"] = _fault(tape, outside, *failed, tick)
+        return
     t = float(tape.starts[state.progress[SCAN]] / 1e9)
     try:
         values = call(outside.step, outside.file, inputs, state.own[name], t, outside.outputs)
@@ -29,3 +38,12 @@ def execute_outside(tape: Tape, state: RunState) -> None:
         ) from fault
     output = int(tape.ints[at + OUTPUT])
     state.memory[output : output + len(values)] = values
+
+
+def _fault(tape: Tape, block: IntegerBlock, port: str, reason: str, tick: int) -> Fault:
+    """Return why a fuzzy block in INT failed: an input beyond INT, or a result beyond its width."""
+    name = block.node.name
+    if not port:
+        return Fault(tick, signals_of(block.node)[0], f"`{name}` in INT: {reason}")
+    source = tape.wiring.resolve(block.node.inputs[port]).source
+    return Fault(tick, source, f"`{source}` exceeds what `{name}.{port}` can hold: it is INT; {reason}")

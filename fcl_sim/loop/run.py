@@ -13,7 +13,7 @@ from fcl_sim.loop.state import RunState, initial_state
 from fcl_sim.loop.tape import Tape, lower
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Incident, Trace, Values
 from fcl_sim.loop.wiring import wire
-from fcl_sim.loop.work import INDEX, ROW, SAMPLES, STATUS, Ints
+from fcl_sim.loop.work import INDEX, ROW, SAMPLES, STATUS
 
 REASONS = {
     layout.NOT_FINITE: "is NaN or infinite",
@@ -69,10 +69,10 @@ def proceed(tape: Tape, state: RunState, record: Values, until: int | None = Non
 
 def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:
     """Return the trace of the scans that were run, all of them recorded in `record`."""
-    return _trace(tape, record[: state.progress[SAMPLES]], state.progress, state.memory)
+    return _trace(tape, record[: state.progress[SAMPLES]], state)
 
 
-def _trace(tape: Tape, record: Values, progress: Ints, memory: Values) -> Trace:
+def _trace(tape: Tape, record: Values, state: RunState) -> Trace:
     wiring = tape.wiring
     names = tuple(wiring.units)
     values = np.empty((record.shape[0], len(names)))
@@ -89,7 +89,7 @@ def _trace(tape: Tape, record: Values, progress: Ints, memory: Values) -> Trace:
         units={name: unit.symbol for name, unit in wiring.units.items()},
         values=values,
         fuzzy=fuzzy,
-        fault=_fault(tape, progress, memory),
+        fault=_fault(tape, state),
         events=events_of(tape, record),
         incidents=_incidents(tape, record.shape[0]),
     )
@@ -116,8 +116,8 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
     )
 
 
-def _fault(tape: Tape, progress: Ints, memory: Values) -> Fault | None:
-    status, samples, index = (int(progress[word]) for word in (STATUS, SAMPLES, INDEX))
+def _fault(tape: Tape, state: RunState) -> Fault | None:
+    status, samples, index = (int(state.progress[word]) for word in (STATUS, SAMPLES, INDEX))
     if status == layout.FINISHED:
         return None
     declaration = tape.wiring.diagram.plant.model.declaration
@@ -125,9 +125,12 @@ def _fault(tape: Tape, progress: Ints, memory: Values) -> Fault | None:
     if status == layout.NOT_FINITE:
         name = next(name for name, slot in tape.slots.items() if slot == index)
         tick = int(tape.starts[samples])
+        if name in tape.instances and name in tape.outside:
+            in_int: Fault = state.own[name]["fault"]
+            return in_int
         if name in tape.instances:
-            return _beyond_real(tape, name, memory, tick)
-        return refused(tape, name, memory, tick) or Fault(tick, name, f"`{name}` {REASONS[status]}")
+            return _beyond_real(tape, name, state.memory, tick)
+        return refused(tape, name, state.memory, tick) or Fault(tick, name, f"`{name}` {REASONS[status]}")
     tick = int(tape.starts[max(0, samples - 1)])
     if status == layout.CHATTERS:
         name = declaration.events[index].name

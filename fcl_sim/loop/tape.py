@@ -14,6 +14,7 @@ from fcl_sim.loop.blocks.fuzzy import fuzzy_for
 from fcl_sim.loop.clock import Schedule, most_under_way, schedule
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.loop.execute import further_for
+from fcl_sim.loop.integer import IntegerBlock
 from fcl_sim.loop.node_layout import NodeLayout, Outside, lay_out, outside_of
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.loop.settings import signals_of
@@ -34,7 +35,8 @@ class Tape:
     of memory (first slot, length) make the columns of the record; `instances`
     where the memory of each fuzzy block begins, `own` which stretch is each block's
     own. `further` executes the rows that the loop does not, `fuzzy` the fuzzy
-    blocks in LREAL, and those in REAL; `outside` are the blocks in Python.
+    blocks in LREAL, and those in REAL; `outside` are the blocks in Python, and the
+    fuzzy ones in INT.
     """
 
     wiring: Wiring
@@ -50,7 +52,7 @@ class Tape:
     own: Mapping[str, tuple[int, int]]
     further: Entry
     fuzzy: tuple[Entry, Entry]
-    outside: Mapping[str, Outside]
+    outside: Mapping[str, Outside | IntegerBlock]
 
     @property
     def starts(self) -> Ints:
@@ -115,7 +117,7 @@ def lower(wiring: Wiring, run: int = 0, forced: Mapping[str, float] = NOTHING_FO
         wiring=wiring,
         ints=buffer,
         floats=numbers,
-        memory=_initial_memory(diagram, memory, layouts),
+        memory=_initial_memory(diagram, memory, layouts, rows.outside),
         x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
         p=np.array(
             [
@@ -161,11 +163,11 @@ class _Buffer:
 
 @dataclass(frozen=True, slots=True)
 class _Rows:
-    """What the rows add to the head, the opcodes in them, the blocks in Python, the constants in binary32."""
+    """What the rows add to the head, the opcodes in them, the blocks outside, the constants in binary32."""
 
     head: dict[int, int]
     opcodes: list[int]
-    outside: dict[str, Outside]
+    outside: dict[str, Outside | IntegerBlock]
     singles: dict[int, Constants]
 
 
@@ -178,7 +180,7 @@ def _share_out(
 ) -> _Memory:
     names = list(diagram.plant.signals)
     names += [name for node in order if isinstance(node, Node) for name in signals_of(node)]
-    names += [node.name for node in order if isinstance(node, FuzzyNode) and node.in_real]
+    names += [node.name for node in order if isinstance(node, FuzzyNode) and (node.in_real or node.in_int)]
     slots = {name: slot for slot, name in enumerate(names)}
     signals = size = len(names)
     own: dict[str, tuple[int, int]] = {}
@@ -228,6 +230,25 @@ def _scheme_words(diagram: Diagram, ints: _Buffer, floats: _Buffer) -> dict[int,
     }
 
 
+def _programs(wiring: Wiring, ints: _Buffer, floats: _Buffer) -> tuple[dict[int, int], dict[int, Constants]]:
+    """Put the programs of the fuzzy blocks that the loop calls; return by identity where each begins.
+
+    And by their place in binary32 the constants of those in REAL.
+    """
+    programs: dict[int, int] = {}
+    singles: dict[int, Constants] = {}
+    for node in wiring.order:
+        if isinstance(node, FuzzyNode) and not node.in_int and id(node.program) not in programs:
+            program = node.program
+            if node.in_real:
+                at = floats.append([0.0] * -(-program.floats.size // 2))
+                singles[2 * at] = program.floats
+                programs[id(program)] = ints.append(program.placed(2 * at))
+            else:
+                programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
+    return programs, singles
+
+
 def _row_words(
     wiring: Wiring,
     memory: _Memory,
@@ -236,19 +257,10 @@ def _row_words(
     floats: _Buffer,
     forced: Mapping[str, float],
 ) -> _Rows:
-    programs: dict[int, int] = {}
-    singles: dict[int, Constants] = {}
-    for node in wiring.order:
-        if isinstance(node, FuzzyNode) and id(node.program) not in programs:
-            program = node.program
-            if node.in_real:
-                at = floats.append([0.0] * -(-program.floats.size // 2))
-                singles[2 * at] = program.floats
-                programs[id(program)] = ints.append(program.placed(2 * at))
-            else:
-                programs[id(program)] = ints.append(program.placed(floats.append(program.floats)))
+    programs, singles = _programs(wiring, ints, floats)
     rows_at = len(ints)
-    opcodes, outside = [], {}
+    opcodes: list[int] = []
+    outside: dict[str, Outside | IntegerBlock] = {}
 
     def force(names: Iterable[str]) -> None:
         for name in names:
@@ -262,9 +274,12 @@ def _row_words(
             opcode, state = OPCODES["fuzzy"], memory.instances[node.name]
             wires = [wiring.resolve(node.inputs[port]) for port in node.block.program.input_names]
             inputs = [memory.slots[each.source] for each in wires]
-            words: Sequence[int] = [programs[id(node.program)], -1, -1]
+            words: Sequence[int] = [programs.get(id(node.program), -1), -1, -1]
             if node.in_real:
                 words = [words[0], 2 * (state + node.program.recorded), memory.slots[node.name]]
+            elif node.in_int:
+                opcode, check = OPCODES["python"], memory.slots[node.name]
+                outside[node.name] = IntegerBlock(len(ints), node, state, check, node.integer_instance())
             numbers: Sequence[float] = [each.sign for each in wires]
         else:
             laid, opcode, state = layouts[node.name], OPCODES[node.type], memory.own[node.name][0]
@@ -323,13 +338,21 @@ def _segments(diagram: Diagram, memory: _Memory) -> tuple[tuple[int, int], ...]:
     return ((0, memory.signals), *fuzzy)
 
 
-def _initial_memory(diagram: Diagram, memory: _Memory, layouts: Mapping[str, NodeLayout]) -> Floats:
+def _initial_memory(
+    diagram: Diagram,
+    memory: _Memory,
+    layouts: Mapping[str, NodeLayout],
+    outside: Mapping[str, Outside | IntegerBlock],
+) -> Floats:
     initial = np.zeros(memory.size)
     plant = diagram.plant
     for each in plant.model.declaration.inputs:
         initial[memory.slots[f"{plant.name}.{each.name}"]] = each.start
     for node in diagram.nodes:
-        if isinstance(node, FuzzyNode):
+        block = outside.get(node.name)
+        if isinstance(block, IntegerBlock):
+            block.record(block.instance, initial)
+        elif isinstance(node, FuzzyNode):
             at, program = memory.instances[node.name], node.program
             if node.in_real:
                 initial[at : at + program.recorded] = program.initial[: program.recorded]

@@ -1,4 +1,4 @@
-"""The controller as the standard describes it: frozen dataclasses, no behaviour.
+"""The controller as the standard describes it: frozen dataclasses, no behaviour; and the labels of rules.
 
 In: nothing. Out: FunctionBlock and what it is made of, the one meeting point
 of the FCL reader, the engine and design verification. Imports diagnostics only,

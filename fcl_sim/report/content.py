@@ -30,7 +30,11 @@ from fcl_sim.testbench import Outcome, Run
 
 Data = dict[str, Any]
 
-FORMATS = {"LREAL": "LREAL, IEC 60559 binary64", "REAL": "REAL, IEC 60559 binary32"}
+FORMATS = {
+    "LREAL": "LREAL, IEC 60559 binary64",
+    "REAL": "REAL, IEC 60559 binary32",
+    "INT": "INT, 16 bits, degrees 0 to 10000",
+}
 """Arithmetics of fuzzy blocks, in words."""
 MOST_ENTRIES = 60
 """Lines of the contents; where there would be more, they name sections of the first order alone."""

@@ -82,5 +82,6 @@ def _blocks(base: Diagram, other: Diagram) -> list[str]:
 def _unlike(one: Node | FuzzyNode, other: Node | FuzzyNode) -> bool:
     if isinstance(one, FuzzyNode) and isinstance(other, FuzzyNode):
         same_rules = one.block.function_block == other.block.function_block
-        return not same_rules or (one.inputs, one.units) != (other.inputs, other.units)
+        fields = ("inputs", "units", "arithmetic", "scale", "rounding")
+        return not same_rules or any(getattr(one, each) != getattr(other, each) for each in fields)
     return one != other

@@ -12,6 +12,7 @@ from fcl_sim.judge.verdict import Requirement
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
+from fcl_sim.scenario.arithmetic import in_arithmetic
 from fcl_sim.scenario.blocks import plain_node
 from fcl_sim.scenario.linear import LINEAR_MODELS, is_linear, linear_node, misplaced
 from fcl_sim.scenario.model import BASE, CONTROLLER, Entries, PlantSetup, Scenario, Setup
@@ -166,16 +167,8 @@ def _fuzzy_node(name: str, block: Entry, loaded: Block, scope: Scope | None, fau
     wires = {port: _wired(entry, scope, faults) for port, entry in block.table["inputs"].table.items()}
     units = block.get("units")
     declared = {key: str(entry.value) for key, entry in (units.table if units else NOTHING).items()}
-    chosen = block.get("arithmetic")
-    arithmetic = str(chosen.value) if chosen else loaded.declared_arithmetic
-    try:
-        loaded.program_in(arithmetic)
-    except InputFault as fault:
-        faults += fault.diagnostics
-        arithmetic = "LREAL"
-    return FuzzyNode(
-        name=name, block=loaded, inputs=wires, units=declared, arithmetic=arithmetic, span=block.key
-    )
+    node = FuzzyNode(name=name, block=loaded, inputs=wires, units=declared, span=block.key)
+    return in_arithmetic(node, block, faults)
 
 
 def local_names(setup: Setup) -> Scope:

@@ -6,9 +6,10 @@ from typing import Annotated, Any
 from pydantic import PlainValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from fcl_sim.block import ARITHMETICS
+from fcl_sim.concept.instance import Rounding
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.engine.precision import PRECISIONS
 from fcl_sim.judge.verdict import Form
 from fcl_sim.loop.diagram import POLICIES, RESTARTS
 from fcl_sim.loop.schemes import SCHEMES
@@ -153,6 +154,15 @@ def _quantity_or_wire(value: Any) -> str | float:
     return value if is_wire(value) else _quantity(value)
 
 
+def _scaled(value: Any) -> Any:
+    if not isinstance(value, list):
+        return _quantity(value)
+    if len(value) != 2:
+        hint = 'write it as in ["0.01 m", "-5 m"]'
+        raise refused("SCN203", "{it} is what a count is, or that and what the count 0 is", hint)
+    return [_quantity(each) for each in value]
+
+
 def _quantity_or_list(value: Any) -> Any:
     return value if isinstance(value, list) else _quantity(value)
 
@@ -215,7 +225,20 @@ UnitText = Annotated[Any, PlainValidator(_unit), _schema(TEXT, examples=["m", "d
 WireText = Annotated[
     Any, PlainValidator(_wire), _schema(TEXT, examples=["crane.distance", "-crane.distance"])
 ]
-Arithmetic = choice_of(tuple(PRECISIONS))
+Arithmetic = choice_of(ARITHMETICS)
+RoundingName = choice_of(tuple(str(each) for each in Rounding))
+Scaled = Annotated[
+    Any,
+    PlainValidator(_scaled),
+    _schema(
+        {},
+        anyOf=[
+            {**WRITTEN, "examples": ["0.01 m"]},
+            NUMBER,
+            {"type": "array", "items": {"anyOf": [WRITTEN, NUMBER]}, "minItems": 2, "maxItems": 2},
+        ],
+    ),
+]
 SchemeName = Annotated[
     Any, PlainValidator(lambda value: _choice(value, tuple(SCHEMES))), _schema({}, enum=sorted(SCHEMES))
 ]

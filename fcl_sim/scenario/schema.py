@@ -31,6 +31,8 @@ from fcl_sim.scenario.fields import (
     QuantifiedOrList,
     QuantifiedOrWire,
     RestartKind,
+    RoundingName,
+    Scaled,
     SchemeName,
     Text,
     Time,
@@ -69,6 +71,8 @@ class FuzzyTable(Table):
     file: Filled = Field(description="FCL file, relative to the file that names it")
     block: Filled = Field(None, description="which FUNCTION_BLOCK, where the file has several")
     arithmetic: Arithmetic = Field(None, description="what it computes in; by default as it declares")
+    scale: dict[str, Scaled] = Field({}, description="in INT: what a count of a variable is, in its unit")
+    rounding: RoundingName = Field("truncate", description="in INT: of quotients")
     units: dict[str, UnitText] = Field({}, description="unit of each variable; FCL has none")
     inputs: dict[str, WireText] = Field(description="for each input of the block, the signal it reads")
 

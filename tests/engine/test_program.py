@@ -2,7 +2,6 @@ import numpy as np
 
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.entries import evaluate_one
-from fcl_sim.engine.labels import unique_labels
 from fcl_sim.engine.program import RULE, RULE_DEGREE, SUMMARY
 from fcl_sim.engine.show import program_text
 from fcl_sim.model import (
@@ -20,6 +19,7 @@ from fcl_sim.model import (
     Term,
     Variable,
 )
+from fcl_sim.model.labels import unique_labels
 from tests.engine.bases import (
     CRANE,
     CRANE_THREE,

@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from fcl_sim.model import FunctionBlock
+from fcl_sim.model.block import FunctionBlock
 
 
 def unique_labels(block: FunctionBlock) -> tuple[str, ...]:
