@@ -96,7 +96,8 @@ def errors(terms, concluded, degrees, activation, accumulation, precision=LREAL)
     if accumulation is Accumulation.BSUM:
         true = np.minimum(1.0, true)
     if accumulation is Accumulation.NSUM:
-        corners = np.concatenate([xs, *(line[:, 0] + beside for beside in (-1e-12, 0.0, 1e-12))])
+        aside = 1e-12 if precision is LREAL else 1e-5  # vertices are rounded, the truth jumps beside them
+        corners = np.concatenate([xs, *(line[:, 0] + beside for beside in (-aside, 0.0, aside))])
         true /= max(1.0, true_degrees(terms, concluded, degrees, activation, accumulation, corners).max())
     return np.abs(np.interp(xs, *line.T, left=0.0, right=0.0) - true)
 
