@@ -261,14 +261,7 @@ def _row_words(
     rows_at = len(ints)
     opcodes: list[int] = []
     outside: dict[str, Outside | IntegerBlock] = {}
-
-    def force(names: Iterable[str]) -> None:
-        for name in names:
-            if name in forced:
-                ints.append(_forcing_row(memory.slots[name], floats.append([forced[name]])))
-                opcodes.append(OPCODES["constant"])
-
-    force(_outputs(wiring.diagram.plant))
+    opcodes += _forcing_rows(_outputs(wiring.diagram.plant), forced, memory, ints, floats)
     for node in wiring.order:
         if isinstance(node, FuzzyNode):
             opcode, state = OPCODES["fuzzy"], memory.instances[node.name]
@@ -292,14 +285,20 @@ def _row_words(
         row = [opcode, length, output, state, floats.append(numbers), len(inputs)]
         ints.append([*row, *inputs, *words])
         opcodes.append(opcode)
-        force(signals_of(node))
+        opcodes += _forcing_rows(signals_of(node), forced, memory, ints, floats)
     head = {layout.ROWS: len(opcodes), layout.ROWS_AT: rows_at, layout.ROWS_END: len(ints)}
     return _Rows(head, opcodes, outside, singles)
 
 
-def _forcing_row(slot: int, number: int) -> list[int]:
-    """Return the row that gives a signal the constant that stands at `number`."""
-    return [OPCODES["constant"], layout.FIRST_INPUT, slot, slot, number, 0]
+def _forcing_rows(
+    names: Iterable[str], forced: Mapping[str, float], memory: _Memory, ints: _Buffer, floats: _Buffer
+) -> list[int]:
+    """Append a row for each signal that is forced, which gives it its constant; return their opcodes."""
+    wanted = [name for name in names if name in forced]
+    for name in wanted:
+        slot, number = memory.slots[name], floats.append([forced[name]])
+        ints.append([OPCODES["constant"], layout.FIRST_INPUT, slot, slot, number, 0])
+    return [OPCODES["constant"]] * len(wanted)
 
 
 def _outputs(plant: PlantNode) -> list[str]:
