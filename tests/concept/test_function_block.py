@@ -6,7 +6,7 @@ import pytest
 from fcl_sim.arithmetic.integer import ROUND, TRUNCATE
 from fcl_sim.block import load, loads
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.jit import compiled, kernel
+from fcl_sim.jit import I, compiled, entry, i8, signature, void
 from tests.concept.test_manual_example import (
     GOLDEN,
     buffers,
@@ -43,10 +43,9 @@ READINGS = pytest.mark.parametrize("extreme", ["OR", "AND"])
 PRESSURE, TEMPERATURE = np.arange(3850, 4151), np.arange(4900, 9601)
 
 
-@kernel
-def wired(disjunction, rounding, ints, results):
+@entry(signature(void, i8, i8, *[I] * 9))
+def wired(disjunction, rounding, p, t, low, mid, pair, out, defuzzed, y, results):  # noqa: PLR0917
     """Write what the blocks wired by hand give at every point, each from the output 0."""
-    p, t, low, mid, pair, out, defuzzed, y = ints
     for index in range(results.size):
         y[0] = 0
         pressure, temperature = 3850 + index // 4701, 4900 + index % 4701
@@ -61,7 +60,7 @@ def test_the_manuals_example_is_what_its_blocks_give_at_every_point(extreme, rou
     instance = loads(VALVE.format(extreme=extreme)).instance(arithmetic="INT", rounding=rounding)
     ours = instance.evaluate({"ipress": PRESSURE[:, None], "itemp": TEMPERATURE})["y"]
     theirs = np.empty(ours.size, np.int64)
-    wired(extreme == "OR", code, buffers(np.int64), theirs)
+    wired(int(extreme == "OR"), code, *buffers(np.int64), theirs)
     assert ours.size == 1_415_001
     assert np.array_equal(ours.ravel(), theirs)
 

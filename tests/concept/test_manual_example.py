@@ -12,7 +12,7 @@ from fcl_sim.arithmetic.integer import ROUND, TRUNCATE
 from fcl_sim.concept.aterm import aterm_int, aterm_real
 from fcl_sim.concept.defuz import defuz_int, defuz_real
 from fcl_sim.concept.operators import max_int, max_real, min_int, min_real
-from fcl_sim.jit import compiled, flat, kernel
+from fcl_sim.jit import F, I, compiled, entry, flat, i8, signature, void
 
 PRESSURES = np.array([0, 3900, 4000, 4100])
 TEMPERATURES = np.array([0, 5000, 6500, 8000, 9500])
@@ -56,11 +56,14 @@ def valve_real(pressure, temperature, disjunction, p, t, low, mid, pair, out, de
     defuz_real(defuzzed, 8, y)
 
 
-@kernel
-def compare(disjunction, rounding, stride, ints, reals):
-    """Return how many points were compared, how many have no rule, the largest and the summed difference."""
-    p, t, low, mid, pair, out, defuzzed, y = ints
-    rp, rt, rlow, rmid, rpair, rout, rdefuzzed, ry = reals
+@entry(signature(void, i8, i8, i8, *[I] * 8, *[F] * 8, F))
+def compare(  # noqa: PLR0917
+    disjunction, rounding, stride,
+    p, t, low, mid, pair, out, defuzzed, y,
+    rp, rt, rlow, rmid, rpair, rout, rdefuzzed, ry,
+    found,
+):  # fmt: skip
+    """Write how many points were compared, how many have no rule, the largest and the summed difference."""
     points = without = 0
     largest = summed = 0.0
     for index in range(0, 301 * 4701, stride):
@@ -78,7 +81,10 @@ def compare(disjunction, rounding, stride, ints, reals):
             difference = abs(y[0] - ry[0])
             summed += difference
             largest = max(largest, difference)
-    return points, without, largest, summed
+    found[0] = points
+    found[1] = without
+    found[2] = largest
+    found[3] = summed
 
 
 def buffers(dtype):
@@ -109,9 +115,9 @@ def buffers(dtype):
 def test_int_differs_from_real_by_no_more_than_its_divisions_make(
     disjunction, rounding, largest, mean, without
 ):
-    points, no_rule, most, summed = compare(
-        disjunction, rounding, STRIDE, buffers(np.int64), buffers(np.float64)
-    )
+    found = np.zeros(4)
+    compare(int(disjunction), rounding, STRIDE, *buffers(np.int64), *buffers(np.float64), found)
+    points, no_rule, most, summed = found
     if STRIDE == 1:
         assert points == 1_415_001
         assert no_rule == without
