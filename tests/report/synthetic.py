@@ -14,7 +14,9 @@ from fcl_sim.judge.temporal.formula import bind, read
 from fcl_sim.judge.verdict import Band, Requirement, Status, Verdict, worst
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, PlantNode, Timing
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Trace
+from fcl_sim.plant.catalog import PlantModel
 from fcl_sim.plant.declaration import Input, Output, Parameter, Plant, State
+from fcl_sim.plant.functions import DEFAULTS, PlantFunctions, as_entry
 from fcl_sim.scenario.model import Scenario, SourceFile
 from fcl_sim.testbench import BASE, Outcome, Run
 
@@ -205,7 +207,11 @@ def verdicts(kind: str, *, expect_fail: bool = False) -> tuple[Verdict, ...]:
     return (verdict(), sway)
 
 
-def plant(folder: Path) -> SimpleNamespace:
+def at_rest(t, x, u, p, mode, result):
+    """Stand still."""
+
+
+def plant(folder: Path) -> PlantModel:
     declaration = Plant(
         name="crane",
         title="Container crane",
@@ -214,8 +220,14 @@ def plant(folder: Path) -> SimpleNamespace:
         outputs=(Output("distance", "m", "to the target"),),
         parameters=(Parameter("load_mass", "t", 20.0, "container", "[A]"),),
     )
-    return SimpleNamespace(
-        declaration=declaration, path=folder / "crane.py", digest="ab" * 32, functions=None
+    path, parts = folder / "crane.py", {"dynamics": at_rest, "outputs": at_rest, **DEFAULTS}
+    functions = {part: as_entry(part, function, "synthetic") for part, function in parts.items()}
+    return PlantModel(
+        declaration=declaration,
+        path=path,
+        digest="ab" * 32,
+        functions=PlantFunctions(**functions, path=path),
+        samples=False,
     )
 
 
