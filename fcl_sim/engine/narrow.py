@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
+from math import inf
 from typing import Any
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span
@@ -42,7 +43,7 @@ def too_large(block: FunctionBlock, precision: Precision, places: tuple[Place, .
 def _beyond(value: Any, limit: float, span: Span | None) -> Iterator[Span | None]:
     """Yield the place of every number beyond the limit: that of the innermost noun that has one."""
     if isinstance(value, float | int) and not isinstance(value, bool):
-        if not abs(value) < limit:
+        if limit <= abs(value) < inf:
             yield span
     elif isinstance(value, tuple):
         for each in value:

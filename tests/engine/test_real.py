@@ -139,3 +139,13 @@ def test_numbers_that_binary32_cannot_carry_are_refused(old, new):
     with pytest.raises(InputFault, match="numbers of `bath` exceed what REAL can carry") as fault:
         block.instance(arithmetic="REAL")
     assert [each.code for each in fault.value.diagnostics] == ["FCL407"]
+
+
+def test_a_default_that_is_no_number_is_none_in_binary32_either():
+    gap = BATH.replace("(0.7, 0)", "(0.3, 0)").replace("(0.1, 0) (0.7, 1)", "(0.5, 0) (0.7, 1)")
+    written = gap.replace("DEFAULT := 0.1", "DEFAULT := nan")
+    instance = loads(written).instance("REAL")
+    instance(temp=0.4)
+    assert np.isnan(instance.valve)
+    instance(temp=0.1)
+    assert instance.valve == np.float32(100.3)
