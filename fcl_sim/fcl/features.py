@@ -7,6 +7,7 @@ FEATURES: dict[str, str] = {
     "default": "default values that are NaN, or that hold the previous output",
     "degree": "degrees of points other than 0 and 1",
     "enabled": "ENABLED: parts that can be switched off",
+    "equals": "= in place of IS in conclusions",
     "formula": "terms that are formulae",
     "hedge": "hedges",
     "line comment": "comments to the end of the line (Table 11)",

@@ -195,10 +195,12 @@ def _open(cursor: Cursor, opened: list[Token]) -> None:
 
 
 def subconclusion(cursor: Cursor) -> Conclusion:
-    """Read `subconclusion ::= variable ['IS' {concluded_hedge} term_name] ['WITH' weighting_factor]`.
+    """Read a subconclusion (5.4.1, S12); `=` is fuzzylite's.
+
+    `subconclusion ::= variable [('IS' | '=') {concluded_hedge} term_name] ['WITH' weighting_factor]`
 
     `concluded_hedge ::= 'VERY' | 'EXTREMELY' | 'SOMEWHAT' | 'SELDOM'` (Open Level);
-    `weighting_factor ::= value` (5.4.1, S12)
+    `weighting_factor ::= value`
     """
     name = variable(cursor, "the name of an output variable", _AFTER_VARIABLE)
     term = None
@@ -207,7 +209,7 @@ def subconclusion(cursor: Cursor) -> Conclusion:
     goes_on = cursor.token.kind is Kind.NAME and not (cursor.starts_line() or cursor.at_statement())
     if goes_on and cursor.token.key not in {*_AFTER_VARIABLE, "OR", "ELSE"}:
         raise cursor.stray(f"IS is expected after {name.shown}", f"write `{name.text} IS …`")
-    if cursor.take("IS"):
+    if _takes_is(cursor):
         while _at_hedge(cursor):
             hedges.append(_concluded_hedge(cursor))
             if len(hedges) > DEEPEST:
@@ -216,6 +218,15 @@ def subconclusion(cursor: Cursor) -> Conclusion:
     if cursor.take("WITH"):
         weight = value(cursor, "a weighting factor, a number from 0 to 1 or the name of a variable,")
     return Conclusion(name, term, weight, name.start, cursor.last.end, tuple(hedges))
+
+
+def _takes_is(cursor: Cursor) -> bool:
+    """Take IS, or the `=` of older files of fuzzylite."""
+    if cursor.token.key == "=" and cursor.ahead().kind is Kind.NAME:
+        cursor.findings.feature("equals", "= in place of IS", cursor.token)
+        cursor.advance()
+        return True
+    return cursor.take("IS") is not None
 
 
 def _at_hedge(cursor: Cursor) -> bool:

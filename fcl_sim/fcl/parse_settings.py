@@ -88,7 +88,10 @@ def limits(cursor: Cursor) -> Range:
 
 
 def lock(cursor: Cursor) -> Setting:
-    """Read `lock ::= 'LOCK' ':' flag {'|' flag} ';'`, with `flag ::= 'PREVIOUS' | 'RANGE'` (S15)."""
+    """Read `lock ::= 'LOCK' ':' flag {'|' flag} ';'` (S15).
+
+    `flag ::= 'PREVIOUS' | 'VALID' | 'RANGE'`; VALID is that of older files.
+    """
     keyword = cursor.advance()
     try:
         cursor.expect(":", "LOCK", instead=(":=", "="))

@@ -28,15 +28,36 @@ class Algorithms(Generic[Choice]):
     others: Mapping[str, Choice]
 
 
-_T_NORMS = {"HAMACHER": "HPROD", "EINSTEIN": "EPROD", "DMIN": "DPROD", "NIPMIN": "NMIN"}
+_T_NORMS = {
+    "HAMACHER": "HPROD",
+    "EINSTEIN": "EPROD",
+    "DMIN": "DPROD",
+    "NIPMIN": "NMIN",
+    "MINIMUM": "MIN",
+    "ALGEBRAICPRODUCT": "PROD",
+    "BOUNDEDDIFFERENCE": "BDIF",
+    "HAMACHERPRODUCT": "HPROD",
+    "EINSTEINPRODUCT": "EPROD",
+    "DRASTICPRODUCT": "DPROD",
+    "NILPOTENTMINIMUM": "NMIN",
+}
 _S_NORMS = {
     "PROBOR": "ASUM",
     "EINSTEIN": "ESUM",
     "HAMACHER": "HSUM",
     "DMAX": "DSUM",
     "NIPMAX": "NMAX",
+    "MAXIMUM": "MAX",
+    "ALGEBRAICSUM": "ASUM",
+    "BOUNDEDSUM": "BSUM",
+    "NORMALIZEDSUM": "NSUM",
+    "UNBOUNDEDSUM": "SUM",
+    "HAMACHERSUM": "HSUM",
+    "EINSTEINSUM": "ESUM",
+    "DRASTICSUM": "DSUM",
+    "NILPOTENTMAXIMUM": "NMAX",
 }
-"""jFuzzyLogic's names, and fuzzylite's."""
+"""jFuzzyLogic's names, and fuzzylite's; it writes the long one where FCL has none."""
 
 
 def _others(
@@ -160,18 +181,22 @@ def enabled(scope: Scope, setting: Setting | None) -> bool:
     return token.key != "FALSE"
 
 
+_LOCKS = {"PREVIOUS": "PREVIOUS", "VALID": "PREVIOUS", "RANGE": "RANGE"}
+"""Flags of LOCK; VALID is what fuzzylite called PREVIOUS before its version 5."""
+
+
 def locks(scope: Scope, setting: Setting | None) -> frozenset[str]:
     """Return what LOCK names: PREVIOUS, RANGE, both or nothing (S15)."""
     flags = setting.value if setting is not None else None
     if not isinstance(flags, Flags):
         return frozenset()
     for word in flags.words:
-        if word.key not in {"PREVIOUS", "RANGE"}:
+        if word.key not in _LOCKS:
             scope.findings.error(
                 "FCL201", f"PREVIOUS or RANGE is expected after LOCK, not {word.shown}", word
             )
     scope.findings.feature("lock", f"LOCK : {' | '.join(each.text for each in flags.words)}", flags)
-    return frozenset(each.key for each in flags.words)
+    return frozenset(_LOCKS.get(each.key, each.key) for each in flags.words)
 
 
 def range_of(scope: Scope, limits: Range, *, bounds: bool = False) -> tuple[float, float] | None:
