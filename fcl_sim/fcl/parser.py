@@ -50,7 +50,10 @@ def parse(scan: Scan) -> Parsing:
         else:
             verbatim.append(_pass_over(cursor, first=not blocks))
     if not blocks and not cursor.in_open_comment():
-        cursor.findings.error("FCL205", "there is no FUNCTION_BLOCK in this text", Stretch(0, 0))
+        is_empty = scan.tokens[0].kind is Kind.END
+        message = "this text is empty" if is_empty else "there is no FUNCTION_BLOCK in this text"
+        hint = "a rule base is `FUNCTION_BLOCK name` … `END_FUNCTION_BLOCK`"
+        cursor.findings.error("FCL205", message, Stretch(0, 0), hint)
     inside = [each for block in blocks for each in block.sections if isinstance(each, Options)]
     verbatim += [cursor.findings.span(each) for each in inside]
     tree = Tree(source=scan.source, blocks=tuple(blocks), verbatim=tuple(verbatim), types=tuple(types))
