@@ -11,15 +11,19 @@ from numpy import fmod
 from fcl_sim.arithmetic import functions
 from fcl_sim.arithmetic.functions import (
     acos,
+    acosh,
     asin,
+    asinh,
     atan,
     atan2,
+    atanh,
     ceil,
     cos,
     cosh,
     exp,
     floor,
     log,
+    log1p,
     log10,
     sin,
     sinh,
@@ -30,8 +34,9 @@ from fcl_sim.arithmetic.functions import (
 from fcl_sim.jit import flat, inlined
 
 POWER, MODULUS, TIMES, OVER, PLUS, MINUS, ATAN2, MAX, MIN = range(9)
-OPPOSITE, ABS, ACOS, ASIN, ATAN, CEIL, COS, COSH, EXP, FLOOR, LN, LOG10 = range(9, 21)
-ROUND, SIN, SINH, SQRT, TAN, TANH = range(21, 27)
+EQ, NEQ, LT, LE, GT, GE = range(9, 15)
+OPPOSITE, ABS, ACOS, ASIN, ATAN, CEIL, COS, COSH, EXP, FLOOR, LN, LOG10 = range(15, 27)
+ROUND, SIN, SINH, SQRT, TAN, TANH, ACOSH, ASINH, ATANH, LOG1P = range(27, 37)
 
 BINARY = OPPOSITE
 """Below this code, operators and functions have two numbers; from it on, one."""
@@ -89,9 +94,31 @@ def of_two(code: int, a: float, b: float) -> float:
         value = atan2(a, b)
     elif code == MAX:
         value = a if a > b or a != a else b  # noqa: PLR0124
-    else:
+    elif code == MIN:
         value = a if a < b or a != a else b  # noqa: PLR0124
+    else:
+        value = compared(code, a, b)
     return value
+
+
+@flat
+def compared(code: int, a: float, b: float) -> float:
+    """Return 1 where a comparison holds, else 0."""
+    if a != a or b != b:  # noqa: PLR0124
+        return nan
+    if code == EQ:
+        holds = a == b
+    elif code == NEQ:
+        holds = a != b
+    elif code == LT:
+        holds = a < b
+    elif code == LE:
+        holds = a <= b
+    elif code == GT:
+        holds = a > b
+    else:
+        holds = a >= b
+    return 1.0 if holds else 0.0
 
 
 @flat
@@ -109,6 +136,8 @@ def of_one(code: int, a: float) -> float:
         value = bounded(code, a)
     elif code in (EXP, COSH, SINH):
         value = growing(code, a)
+    elif code in (ACOSH, ASINH, ATANH, LOG1P):
+        value = inverse(code, a)
     else:
         value = circular(code, a)
     return value
@@ -153,6 +182,20 @@ def growing(code: int, a: float) -> float:
     if abs(a) > LARGEST_EXPONENT + HALF:
         return -inf if code == SINH and a < 0.0 else inf
     return cosh(a) if code == COSH else sinh(a)
+
+
+@flat
+def inverse(code: int, a: float) -> float:
+    """Return the inverse of a hyperbolic function, or that of the exponential less 1."""
+    if code == ASINH:
+        return asinh(a)
+    if code == ACOSH:
+        return nan if a < 1.0 else acosh(a)
+    if code == LOG1P:
+        return nan if a < -1.0 else -inf if a == -1.0 else log1p(a)
+    if abs(a) >= 1.0:
+        return inf if a == 1.0 else -inf if a == -1.0 else nan
+    return atanh(a)
 
 
 @flat

@@ -117,3 +117,27 @@ def floor(x: float) -> float:
 def ceil(x: float) -> float:
     """Return the smallest whole number from `x` on, whose magnitude is below 2^53."""
     return type(x)(math.ceil(float64(x)))
+
+
+@rounded
+def acosh(x: float) -> float:
+    """Return the inverse of the hyperbolic cosine, from 0 on."""
+    return type(x)(math.acosh(float64(x)))
+
+
+@rounded
+def asinh(x: float) -> float:
+    """Return the inverse of the hyperbolic sine."""
+    return type(x)(math.asinh(float64(x)))
+
+
+@rounded
+def atanh(x: float) -> float:
+    """Return the inverse of the hyperbolic tangent."""
+    return type(x)(math.atanh(float64(x)))
+
+
+@rounded
+def log1p(x: float) -> float:
+    """Return the natural logarithm of 1 + x."""
+    return type(x)(math.log1p(float64(x)))

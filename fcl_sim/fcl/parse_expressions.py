@@ -14,11 +14,11 @@ LONGEST = 1000
 
 _AFTER_NAME = frozenset(("+", "-", "*", "/", "^", "%", ")", ",", ";"))
 _ALSO = {"LOG": "log10", "FABS": "abs"}
+_COMPARISONS = (Function.EQ, Function.NEQ, Function.LT, Function.LE, Function.GT, Function.GE)
 _ARGUMENTS = {
-    Function.ATAN2: (2, 2),
-    Function.POW: (2, 2),
     Function.MAX: (2, LONGEST),
     Function.MIN: (2, LONGEST),
+    **dict.fromkeys((Function.ATAN2, Function.POW, *_COMPARISONS), (2, 2)),
 }
 """How many arguments functions take; the others take one."""
 

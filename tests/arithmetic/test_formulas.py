@@ -29,6 +29,10 @@ ONE = {
     f.TAN: math.tan,
     f.TANH: math.tanh,
     f.OPPOSITE: lambda a: -a,
+    f.ACOSH: math.acosh,
+    f.ASINH: math.asinh,
+    f.ATANH: lambda a: math.copysign(inf, a) if abs(a) == 1.0 else math.atanh(a),
+    f.LOG1P: lambda a: -inf if a == -1.0 else math.log1p(a),
 }
 TWO = {
     f.POWER: math.pow,
@@ -40,6 +44,12 @@ TWO = {
     f.ATAN2: math.atan2,
     f.MAX: max,
     f.MIN: min,
+    f.EQ: lambda a, b: float(a == b),
+    f.NEQ: lambda a, b: float(a != b),
+    f.LT: lambda a, b: float(a < b),
+    f.LE: lambda a, b: float(a <= b),
+    f.GT: lambda a, b: float(a > b),
+    f.GE: lambda a, b: float(a >= b),
 }
 
 
@@ -71,5 +81,7 @@ def test_of_two_numbers(code):
 
 
 def test_no_number_stays_none():
-    assert all(isnan(of_two(code, nan, 1.0)) for code in (f.TIMES, f.OVER, f.PLUS, f.MAX, f.MIN, f.MODULUS))
-    assert all(isnan(of_one(code, inf)) for code in (f.SIN, f.FLOOR, f.SQRT))
+    codes = (f.TIMES, f.OVER, f.PLUS, f.MAX, f.MIN, f.MODULUS, f.EQ, f.NEQ, f.LT, f.LE, f.GT, f.GE)
+    assert all(isnan(of_two(code, nan, 1.0)) for code in codes)
+    assert all(isnan(of_two(code, 1.0, nan)) for code in (f.EQ, f.NEQ, f.LT, f.LE, f.GT, f.GE))
+    assert all(isnan(of_one(code, inf)) for code in (f.SIN, f.FLOOR, f.SQRT, f.ASINH))

@@ -42,7 +42,9 @@ RISING = {CurveKind.Z_SHAPE: 1, CurveKind.S_SHAPE: 1, CurveKind.PI_SHAPE: 2}
 """How many rising pairs of parameters a curve has."""
 WITHOUT_HEIGHT = (CurveKind.SIGMOID_DIFFERENCE, CurveKind.COSINE)
 
-OF_ONE = [each for each in Function if each.name not in {"ATAN2", "POW", "MAX", "MIN"}]
+OF_TWO = [Function[name] for name in ("ATAN2", "POW", "EQ", "NEQ", "LT", "LE", "GT", "GE")]
+"""Functions of two arguments."""
+OF_ONE = [each for each in Function if each not in {*OF_TWO, Function.MAX, Function.MIN}]
 """Functions of one argument."""
 
 
@@ -101,6 +103,7 @@ def _joined(inner):
         st.builds(Operation, joining, several(inner)).filter(_is_read),
         st.builds(Operation, st.just(Operator.MINUS), st.tuples(inner)).filter(_is_read),
         st.builds(Call, st.sampled_from(OF_ONE), st.tuples(inner)),
+        st.builds(Call, st.sampled_from(OF_TWO), st.tuples(inner, inner)),
         st.builds(Call, st.sampled_from((Function.MAX, Function.MIN)), several(inner)),
     )
 
