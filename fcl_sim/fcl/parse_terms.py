@@ -28,11 +28,14 @@ def term(cursor: Cursor) -> Term:
 
 def membership_function(cursor: Cursor) -> Shape:
     """Read `membership_function ::= points | value | shape` (5.4.1, S15)."""
+    what = "a point in parentheses, a number or the name of a variable"
     if cursor.token.key == "(":
         return points(cursor)
+    if cursor.at_statement():
+        raise cursor.stray(f"{what} is expected", code="FCL209")
     if cursor.token.kind is Kind.NAME and at_shape(cursor):
         return shape(cursor)
-    return value(cursor, "a point in parentheses, a number or the name of a variable")
+    return value(cursor, what)
 
 
 def points(cursor: Cursor) -> tuple[Pair, ...]:

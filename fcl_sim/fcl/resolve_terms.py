@@ -8,7 +8,6 @@ from fcl_sim.fcl.scope import Scope, Terms
 from fcl_sim.fcl.tokens import Token
 from fcl_sim.fcl.tree import Formula, Named, Number, Pair, Term, Value
 from fcl_sim.fcl.tree import Shape as TreeShape
-from fcl_sim.model import Formula as ModelFormula
 from fcl_sim.model import Point, Points, Shape, Singleton, Singletons
 from fcl_sim.model import Term as ModelTerm
 
@@ -27,6 +26,11 @@ def resolve_terms(
             scope.report_twice("FCL314", f"the term `{first.text}` is defined twice", term.name, first)
         if term.shape is None:
             continue
+        if not output and (formula := _as_formula(term.shape)):
+            message = "a formula cannot be the term of an input"
+            hint = "write points: `(x, degree) (x, degree) …`"
+            scope.findings.error("FCL316", message, formula, hint)
+            continue
         shape = _shape(scope, term.shape)
         if shape is not None and not output:
             shape = _of_input(scope, term.shape, shape)
@@ -35,13 +39,20 @@ def resolve_terms(
     return tuple(resolved)
 
 
+def _as_formula(shape: TreeShape) -> Formula | Named | None:
+    """Return a shape if it is a formula, else None."""
+    if isinstance(shape, Named) and shape.name.key != "LINEAR":
+        return None
+    return shape if isinstance(shape, Formula | Named) else None
+
+
 def _shape(scope: Scope, shape: TreeShape) -> Shape | None:
     if isinstance(shape, tuple):
         return _points(scope, shape)
     if isinstance(shape, Formula):
         return resolve_formula(scope, shape)
     if isinstance(shape, Named):
-        return resolve_linear(scope, shape) if shape.name.key == "LINEAR" else resolve_named(scope, shape)
+        return resolve_linear(scope, shape) if _as_formula(shape) else resolve_named(scope, shape)
     if isinstance(shape, Token) and report_bare(scope, shape):
         return None
     value = _abscissa(scope, shape, "a singleton")
@@ -51,10 +62,6 @@ def _shape(scope: Scope, shape: TreeShape) -> Shape | None:
 def _of_input(scope: Scope, written: TreeShape, shape: Shape) -> Shape | None:
     """Return the shape of an input's term: a single value is one at which the degree is 1 (S15)."""
     at = written[0] if isinstance(written, tuple) else written
-    if isinstance(shape, ModelFormula):
-        message = "a formula cannot be the term of an input"
-        scope.findings.error("FCL316", message, at, hint="write points: `(x, degree) (x, degree) …`")
-        return None
     if isinstance(shape, Singleton):
         message = "a single value is the term of an input: its degree is 1 there and 0 everywhere else"
         scope.findings.warning("FCL316", message, at, hint="write points: `(x, degree) (x, degree) …`")
