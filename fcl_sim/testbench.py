@@ -1,7 +1,7 @@
-"""The one sequence: read, bind, wire, run, judge."""
+"""The one sequence: read, bind, wire, run, judge, compare with the baseline."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from time import perf_counter
@@ -10,6 +10,8 @@ from typing import Any
 
 from fcl_sim.block import load
 from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.judge.baseline import Baseline, Comparison
+from fcl_sim.judge.compare import compare
 from fcl_sim.judge.judge import judge
 from fcl_sim.judge.verdict import Requirement, Status, Verdict, worst
 from fcl_sim.loop.diagram import Diagram
@@ -17,10 +19,13 @@ from fcl_sim.loop.open import OpenLoop
 from fcl_sim.loop.run import run as simulate
 from fcl_sim.loop.trace import Trace
 from fcl_sim.loop.wiring import wire
+from fcl_sim.scenario import baseline_file
 from fcl_sim.scenario.bench import bench_of
 from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements, setup_called
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
+from fcl_sim.scenario.references import reference_signals
+from fcl_sim.verify.record import Acceptance, record
 
 __all__ = [
     "BASE",
@@ -28,6 +33,7 @@ __all__ = [
     "Outcome",
     "Prepared",
     "Run",
+    "Update",
     "bench_of",
     "judge_trace",
     "open_loop",
@@ -35,12 +41,17 @@ __all__ = [
     "run",
     "run_prepared",
     "run_scenario",
+    "update_baseline",
 ]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
-    """One variant of a scenario, run and judged. `seconds` is the time the simulation took."""
+    """One variant of a scenario, run and judged. `seconds` is the time the simulation took.
+
+    `compared` is the run beside its baseline; None where it was not compared,
+    as one with overrides is not.
+    """
 
     variant: str
     title: str
@@ -49,6 +60,7 @@ class Run:
     verdicts: tuple[Verdict, ...]
     verdict: Status
     seconds: float
+    compared: Comparison | None = None
 
     @property
     def metrics(self) -> Mapping[str, float | None]:
@@ -82,12 +94,29 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Prepared:
-    """A variant that is ready to run: everything that could be wrong with its texts was looked at."""
+    """A variant that is ready to run: everything that could be wrong with its texts was looked at.
+
+    `baseline` is what it was when somebody last accepted it, `references` the
+    signals that a baseline of it is told to keep. Unless `is_compared`, it is
+    not held against its baseline.
+    """
 
     variant: str
     title: str
     diagram: Diagram
     requirements: tuple[Requirement, ...]
+    baseline: Baseline | None = None
+    references: tuple[str, ...] | None = None
+    is_compared: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Update:
+    """A baseline that was written: where, what it was before, and what it is now."""
+
+    path: Path
+    before: Baseline | None
+    after: Baseline
 
 
 def run(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Outcome:
@@ -128,7 +157,7 @@ def prepare(scenario: Scenario) -> tuple[Prepared, ...]:
     load_once = cache(load)
     for variant in scenario.variants:
         try:
-            prepared.append(_prepare(scenario, variant, load_once))
+            prepared.append(_with_baseline(scenario, _prepare(scenario, variant, load_once)))
         except InputFault as fault:
             faults.update(dict.fromkeys(fault.diagnostics))
     if faults:
@@ -145,7 +174,16 @@ def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepare
         title=scenario.variants[variant].title,
         diagram=diagram,
         requirements=requirements(scenario, variant, units),
+        references=reference_signals(scenario, variant, units),
     )
+
+
+def _with_baseline(scenario: Scenario, prepared: Prepared) -> Prepared:
+    """Return it with its baseline; overrides make another run of it, which no baseline is of."""
+    if scenario.overrides:
+        return prepared
+    found = baseline_file.read(scenario.path, prepared.variant)
+    return replace(prepared, baseline=found, is_compared=True)
 
 
 def judge_trace(trace: Trace, scenario: Scenario, variant: str = BASE) -> tuple[Verdict, ...]:
@@ -170,12 +208,53 @@ def _simulated(prepared: Prepared) -> tuple[Trace, float]:
 
 def _judged(prepared: Prepared, trace: Trace, seconds: float, runs: Mapping[str, Trace]) -> Run:
     verdicts = judge(trace, prepared.requirements, runs)
+    statuses = [each.status for each in verdicts]
+    compared = None
+    if prepared.is_compared:
+        compared = compare(trace, verdicts, prepared.baseline, prepared.references or ())
+        statuses.append(compared.status)
     return Run(
         variant=prepared.variant,
         title=prepared.title,
         diagram=prepared.diagram,
         trace=trace,
         verdicts=verdicts,
-        verdict=worst([each.status for each in verdicts]),
+        verdict=worst(statuses),
         seconds=seconds,
+        compared=compared,
     )
+
+
+def update_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -> Update:
+    """Write the baseline of a run as it came out, and return it beside the former one.
+
+    `date` is the day, as 2026-01-31. Tolerances of the former baseline are
+    kept. InputFault where the scenario was run with overrides, where the run
+    ended in a fault, or where a signal that is kept is not finite.
+    """
+    scenario, run = outcome.scenario, outcome.variants[variant]
+    _acceptable(scenario, run)
+    before = baseline_file.read(scenario.path, variant)
+    after = record(
+        Acceptance(scenario=scenario.name, variant=variant, date=date, reason=reason),
+        run.diagram,
+        run.trace,
+        run.verdicts,
+        signals=reference_signals(scenario, variant, run.trace.units),
+        former=before,
+    )
+    path = baseline_file.path_of(scenario.path, variant)
+    baseline_file.write(after, path)
+    return Update(path=path, before=before, after=after)
+
+
+def _acceptable(scenario: Scenario, run: Run) -> None:
+    """Raise InputFault where a run is nothing to hold others against."""
+    file, name = str(scenario.path), f"the run `{run.variant}`"
+    if scenario.overrides:
+        hint = "write what differs as a variant, which has a baseline of its own"
+        raise InputFault.at_file("RUN108", file, f"{name} has overrides, and a baseline is of none", hint)
+    fault = run.trace.fault
+    if fault is not None:
+        message = f"{name} ended at {fault.tick / 1e9:g} s: {fault.reason}"
+        raise InputFault.at_file("RUN108", file, message, "a run that broke down is no reference: mend it")

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.plant.catalog import shipped_bench
+from fcl_sim.scenario.baseline_file import BASELINES
 
 PACKAGE = Path(__file__).parents[1]
 CONTROLLER = ".controller.toml"
@@ -40,13 +41,13 @@ def scenario_files(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     """Return the scenario files under `paths`, of the default bench where none are given.
 
     A folder stands for the `*.toml` files below it (below its `scenarios/`
-    where it is a bench), controllers excepted. InputFault names every path
+    where it is a bench), controllers and baselines excepted. InputFault names every path
     that is missing or has no scenario.
     """
     found: dict[Path, None] = {}
     faults: list[Diagnostic] = []
     for path in paths or (default_bench(),):
-        files = [path] if path.is_file() else list(_below(path))
+        files = [path] if _is_named(path) else list(_below(path))
         if not files:
             faults.append(_nothing(path))
         found.update(dict.fromkeys(files))
@@ -55,10 +56,14 @@ def scenario_files(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     return tuple(found)
 
 
+def _is_named(path: Path) -> bool:
+    return path.is_file() and path.absolute().parent.name != BASELINES
+
+
 def _below(folder: Path) -> Iterator[Path]:
     bench = folder / "scenarios"
     for file in sorted((bench if bench.is_dir() else folder).rglob("*.toml")):
-        if not file.name.endswith(CONTROLLER):
+        if not file.name.endswith(CONTROLLER) and file.parent.name != BASELINES:
             yield file
 
 
@@ -68,6 +73,11 @@ def _nothing(path: Path) -> Diagnostic:
         hint = f"a scenario is a .toml file whose name does not end in {CONTROLLER}"
         return Diagnostic(
             code="RUN105", message="there is no scenario below this folder", places=places, hint=hint
+        )
+    if path.is_file():
+        hint = "name the scenario that it belongs to, in the folder above"
+        return Diagnostic(
+            code="RUN105", message="this is a baseline, not a scenario", places=places, hint=hint
         )
     siblings = [each.name for each in path.parent.iterdir()] if path.parent.is_dir() else []
     near = nearest(path.name, siblings)

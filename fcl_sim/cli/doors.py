@@ -22,6 +22,7 @@ class Exit(IntEnum):
     VERDICT = 1
     USAGE = 2
     INPUT = 3
+    BASELINE = 4
     BUG = 70
     INTERRUPTED = 130
     BROKEN_PIPE = 141

@@ -11,6 +11,7 @@ from fcl_sim.diagnostics import nearest
 
 COMMANDS = {
     "run": "Simulate scenarios in closed loop, judge them, write reports.",
+    "baseline": "Accept what runs come to, as the baseline for the next ones; show what was accepted.",
     "judge": "Judge a recorded trace by the requirements of a scenario.",
     "eval": "Evaluate a rule base once.",
     "plot": "Draw membership functions and the characteristic curve or surface.",
@@ -52,7 +53,8 @@ class Program(Doors):
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog=(
         "Exit codes: 0 all green; 1 a verdict other than PASS; 2 wrong usage; 3 an input or the environment "
-        "(a file, the disk); 70 a mistake in fcl_sim itself; 130 interrupted."
+        "(a file, the disk); 4 a run that leaves its baseline, or has none; 70 a mistake in fcl_sim itself; "
+        "130 interrupted."
     ),
 )
 @click.version_option(__version__, prog_name="fcl-sim", message="%(prog)s %(version)s")

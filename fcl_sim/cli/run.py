@@ -10,10 +10,10 @@ from fcl_sim import testbench
 from fcl_sim.cli.benches import reports_folder, scenario_files
 from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.progress import progress
+from fcl_sim.cli.regressions import exit_code, print_regressions
 from fcl_sim.cli.table import console, print_verdicts
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.jit import cache_folder
-from fcl_sim.judge.verdict import Status
 from fcl_sim.loop import trace_file
 from fcl_sim.report import results, summary, writer
 from fcl_sim.scenario.document import shown
@@ -82,7 +82,7 @@ def command(
         click.echo(f"written: {shown(file)}", err=as_json)
     seconds = (simulated - begun, perf_counter() - simulated)
     click.echo("simulation {:.1f} s, writing {:.1f} s".format(*seconds), err=as_json)
-    return Exit.GREEN if summary.overall(outcomes) is Status.PASS else Exit.VERDICT
+    return exit_code(outcomes)
 
 
 def _simulate(
@@ -111,6 +111,7 @@ def _print(outcomes: Sequence[Outcome]) -> None:
     print_verdicts(list(summary.rows(outcomes)), console())
     if outcomes:
         click.echo(summary.sentence(outcomes))
+        print_regressions(outcomes)
 
 
 def _write_traces(outcomes: Sequence[Outcome], file: Path) -> list[Path]:

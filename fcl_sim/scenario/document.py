@@ -10,6 +10,7 @@ from fcl_sim.toml import Entry
 from fcl_sim.toml import parse as parse_toml
 
 SCENARIO, CONTROLLER_FILE, RULE_BASE, BLOCK_FILE = "scenario", "controller", "rule base", "block"
+BASELINE_FILE = "baseline"
 """The roles of files."""
 
 BYTE_ORDER_MARK = "\ufeff"

@@ -72,6 +72,7 @@ class Setup:
     `blocks` has every block by its path: `controller.speed` in the controller,
     `speed` outside of it. `rule_bases` gives the FCL file of each fuzzy block,
     `block_files` every other file that a block names, by block and parameter.
+    `references` are the signals that its baseline keeps, where it says so.
     """
 
     variant: str
@@ -84,6 +85,7 @@ class Setup:
     blocks: Entries
     rule_bases: Mapping[str, Path]
     block_files: Mapping[tuple[str, str], "SourceFile"] = field(default_factory=dict)
+    references: tuple[Entry, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

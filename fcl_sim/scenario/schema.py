@@ -177,6 +177,15 @@ class RequirementTable(Table):
     expect: Expectation = Field(None, description='"fail", or { VARIANT = "fail" }: the miss is expected')
 
 
+class BaselineTable(Table):
+    """What the baseline of a run keeps."""
+
+    signals: list[WireText] | None = Field(
+        None,
+        description="reference signals, none for a limit cycle; else outputs and inputs of the plant",
+    )
+
+
 class ControllerFile(Table):
     """What goes into the PLC."""
 
@@ -205,6 +214,7 @@ class ScenarioFile(Table):
     )
     restart: list[RestartTable] = Field([], description="restarts of the PLC")
     variants: dict[Name, dict[str, Any]] = Field({}, description="further runs, each by what differs")
+    baseline: BaselineTable = Field(default_factory=BaselineTable, description="what its baselines keep")
     require: list[RequirementTable] = Field([], description="what is required of every run")
 
 

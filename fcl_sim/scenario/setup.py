@@ -50,6 +50,7 @@ def setup_of(reading: Reading, variant: str, tree: Entry) -> Setup | None:
         blocks=MappingProxyType(blocks),
         rule_bases=MappingProxyType(rule_bases),
         block_files=MappingProxyType(block_files),
+        references=_references(tree),
     )
 
 
@@ -162,6 +163,11 @@ def _plant(plant: Entry) -> PlantSetup:
         outputs=outputs.items if outputs else (),
         units=units.table if units else NOTHING,
     )
+
+
+def _references(tree: Entry) -> tuple[Entry, ...] | None:
+    signals = tree.get("baseline", "signals")
+    return None if signals is None else signals.items
 
 
 def _text(tree: Entry, key: str) -> str:

@@ -1,0 +1,45 @@
+"""Runs beside their baselines, on a terminal: what changed, why, and how it is accepted."""
+
+import shlex
+from collections.abc import Sequence
+
+import click
+
+from fcl_sim.cli.doors import Exit
+from fcl_sim.judge.verdict import Status, worst
+from fcl_sim.report import baselines
+from fcl_sim.scenario.document import shown
+from fcl_sim.testbench import Outcome
+
+
+def print_regressions(outcomes: Sequence[Outcome]) -> None:
+    """Print each run that leaves its baseline, with what left it, and those that have none."""
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            told = list(baselines.lines(run))
+            if told and run.compared and run.compared.baseline:
+                accepted = run.compared.baseline
+                click.echo(f"\n{outcome.scenario.name} {run.variant} beside its baseline of {accepted.date}:")
+                for line in told:
+                    click.echo(f"  {line}")
+        missing = [run.variant for run in outcome.variants.values() if baselines.is_missing(run.compared)]
+        if missing:
+            click.echo(f"\n{outcome.scenario.name} has NO BASELINE of {', '.join(missing)}.")
+        if missing or any(list(baselines.lines(run)) for run in outcome.variants.values()):
+            file = shlex.quote(shown(outcome.scenario.path))
+            click.echo(f'  If that is meant: fcl-sim baseline update {file} --reason "..."')
+    told_all = baselines.sentence(outcomes)
+    if told_all:
+        click.echo(told_all)
+
+
+def exit_code(outcomes: Sequence[Outcome]) -> Exit:
+    """Return 1 where a requirement is missed or a run broke down, 4 where only baselines are not kept."""
+    runs = [run for outcome in outcomes for run in outcome.variants.values()]
+    if worst([run.verdict for run in runs]) is Status.PASS:
+        return Exit.GREEN
+    verdicts = [verdict.status for run in runs for verdict in run.verdicts]
+    broke_down = any(run.trace.fault is not None for run in runs)
+    compared = all(run.compared is not None for run in runs)
+    met = all(each is Status.PASS for each in verdicts)
+    return Exit.BASELINE if compared and met and not broke_down else Exit.VERDICT
