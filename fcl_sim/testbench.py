@@ -25,6 +25,7 @@ from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements,
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 from fcl_sim.scenario.references import reference_signals
+from fcl_sim.verify.cause import Cause, cause_of
 from fcl_sim.verify.record import Acceptance, record
 
 __all__ = [
@@ -50,7 +51,7 @@ class Run:
     """One variant of a scenario, run and judged. `seconds` is the time the simulation took.
 
     `compared` is the run beside its baseline; None where it was not compared,
-    as one with overrides is not.
+    as one with overrides is not. `cause` is why it left its baseline, where it did.
     """
 
     variant: str
@@ -61,6 +62,7 @@ class Run:
     verdict: Status
     seconds: float
     compared: Comparison | None = None
+    cause: Cause | None = None
 
     @property
     def metrics(self) -> Mapping[str, float | None]:
@@ -209,10 +211,12 @@ def _simulated(prepared: Prepared) -> tuple[Trace, float]:
 def _judged(prepared: Prepared, trace: Trace, seconds: float, runs: Mapping[str, Trace]) -> Run:
     verdicts = judge(trace, prepared.requirements, runs)
     statuses = [each.status for each in verdicts]
-    compared = None
+    compared = cause = None
     if prepared.is_compared:
         compared = compare(trace, verdicts, prepared.baseline, prepared.references or ())
         statuses.append(compared.status)
+    if compared is not None and compared.baseline is not None and compared.status is Status.FAIL:
+        cause = cause_of(prepared.diagram, trace, compared.baseline, prepared.requirements, runs)
     return Run(
         variant=prepared.variant,
         title=prepared.title,
@@ -222,6 +226,7 @@ def _judged(prepared: Prepared, trace: Trace, seconds: float, runs: Mapping[str,
         verdict=worst(statuses),
         seconds=seconds,
         compared=compared,
+        cause=cause,
     )
 
 

@@ -1,8 +1,11 @@
 """`fcl-sim baseline`: accept what runs come to; show what was accepted."""
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from datetime import UTC, date, datetime
 from pathlib import Path
+from typing import TypeVar
 
 import click
 
@@ -10,12 +13,22 @@ from fcl_sim import testbench
 from fcl_sim.cli.benches import PACKAGE, scenario_files
 from fcl_sim.cli.progress import progress
 from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.report import baselines
+from fcl_sim.report.words import counted
+from fcl_sim.scenario import baseline_file
 from fcl_sim.scenario.binder import setup_called
 from fcl_sim.scenario.document import shown
+from fcl_sim.scenario.model import Scenario
 from fcl_sim.scenario.reader import read
 from fcl_sim.testbench import Outcome, Update
 
 PATHS = click.argument("paths", metavar="[PATH]...", nargs=-1, type=click.Path(path_type=Path))
+VARIANTS = click.option(
+    "--variant", "variants", metavar="NAME", multiple=True, help="Only this run, as often as you like."
+)
+DAY = re.compile(r"\d{4}-\d{2}-\d{2}")
+
+T = TypeVar("T")
 
 
 @click.group()
@@ -29,21 +42,23 @@ def _today() -> str:
 
 def _day(_ctx: click.Context, _param: click.Parameter, text: str) -> str:
     try:
-        return date.fromisoformat(text).isoformat()
+        if DAY.fullmatch(text):
+            return date.fromisoformat(text).isoformat()
     except ValueError:
-        raise click.BadParameter("write the day as 2026-01-31") from None
+        pass
+    raise click.BadParameter(f"`{text}` is no day: write it as 2026-01-31")
 
 
 def _reason(_ctx: click.Context, _param: click.Parameter, text: str) -> str:
     if not text.strip():
-        raise click.BadParameter("say why the runs are accepted as they are")
+        raise click.BadParameter("say in a sentence why the runs are accepted as they are")
     return text.strip()
 
 
 @command.command()
 @PATHS
 @click.option("--reason", required=True, metavar="TEXT", callback=_reason, help="Why they are accepted.")
-@click.option("--variant", "variants", metavar="NAME", multiple=True, help="Update this run alone.")
+@VARIANTS
 @click.option("--date", "day", default=_today, metavar="DAY", callback=_day, help="Day of it; else today.")
 def update(*, paths: tuple[Path, ...], reason: str, variants: tuple[str, ...], day: str) -> None:
     """Run scenarios and write what they come to as their baselines.
@@ -53,24 +68,43 @@ def update(*, paths: tuple[Path, ...], reason: str, variants: tuple[str, ...], d
     """
     files = scenario_files(paths)
     _not_shipped(files)
-    outcomes = _run(files, variants)
-    for outcome in outcomes:
-        for name in outcome.variants:
-            if not variants or name in variants:
-                made = testbench.update_baseline(outcome, name, reason=reason, date=day)
-                click.echo("\n".join(_told(made)))
+    outcomes = _each(files, variants, testbench.run_scenario)
+    updates = [
+        (outcome, testbench.update_baseline(outcome, name, reason=reason, date=day))
+        for outcome in outcomes
+        for name in outcome.variants
+        if name in (variants or outcome.variants)
+    ]
+    for outcome, made in updates:
+        for line in _told(outcome, made):
+            click.echo(line)
+    click.echo(f"{counted(len(updates), 'baseline')} written.")
+
+
+@command.command()
+@PATHS
+@VARIANTS
+def show(*, paths: tuple[Path, ...], variants: tuple[str, ...]) -> None:
+    """Print what was accepted, when and why, without running anything."""
+    for scenario in _each(scenario_files(paths), variants, lambda each: each):
+        for variant in scenario.variants:
+            if variant in (variants or scenario.variants):
+                found = baseline_file.read(scenario.path, variant)
+                click.echo(f"{scenario.name} {variant}: {baselines.accepted(found)}")
+                for line in baselines.figures(found):
+                    click.echo(f"  {line}")
 
 
 def _not_shipped(files: Sequence[Path]) -> None:
     for file in files:
         if file.absolute().is_relative_to(PACKAGE):
-            hint = "copy it: fcl-sim new DIR"
+            hint = "copy it, and run the copy: fcl-sim new DIR"
             raise InputFault.at_file("RUN102", str(file), "the shipped bench is never written to", hint)
 
 
-def _run(files: Sequence[Path], variants: Sequence[str]) -> list[Outcome]:
-    """Run every scenario before anything is written; InputFault with the faults of all."""
-    outcomes: list[Outcome] = []
+def _each(files: Sequence[Path], variants: Sequence[str], of: Callable[[Scenario], T]) -> list[T]:
+    """Return what is made of every scenario, before anything is written; InputFault with the faults of all."""
+    made: list[T] = []
     faults: dict[Diagnostic, None] = {}
     with progress("simulating") as advance:
         for done, file in enumerate(files):
@@ -79,13 +113,19 @@ def _run(files: Sequence[Path], variants: Sequence[str]) -> list[Outcome]:
                 scenario = read(file)
                 for name in variants:
                     setup_called(scenario, name)
-                outcomes.append(testbench.run_scenario(scenario))
+                made.append(of(scenario))
             except InputFault as fault:
                 faults.update(dict.fromkeys(fault.diagnostics))
     if faults:
         raise InputFault(faults)
-    return outcomes
+    return made
 
 
-def _told(made: Update) -> Iterator[str]:
+def _told(outcome: Outcome, made: Update) -> Iterator[str]:
+    run = outcome.variants[made.after.variant]
     yield f"written: {shown(made.path)}"
+    if made.before is None:
+        yield f"  new: {counted(len(made.after.metrics), 'figure')}, {baselines.kept(made.after)}"
+        return
+    told = list(baselines.lines(replace(run, cause=None)))
+    yield from (f"  {line}" for line in told or ["nothing beyond its tolerance changed"])

@@ -2,10 +2,13 @@
 
 from collections.abc import Iterator, Sequence
 
-from fcl_sim.judge.baseline import Comparison, Figure, MetricChange, SignalChange
+from fcl_sim.judge import wording
+from fcl_sim.judge.baseline import Baseline, Comparison, Figure, MetricChange, SignalChange
 from fcl_sim.judge.verdict import Status
-from fcl_sim.report.words import counted, exactly, one_line, with_unit
+from fcl_sim.report.words import counted, exactly, joined, number, one_line, printed, with_unit
 from fcl_sim.testbench import Outcome, Run
+from fcl_sim.verify.cause import Cause, Divergence, RuleChange
+from fcl_sim.verify.edits import Edit
 
 
 def lines(run: Run) -> Iterator[str]:
@@ -15,8 +18,35 @@ def lines(run: Run) -> Iterator[str]:
         return
     for metric in compared.changed_metrics:
         yield metric_line(metric)
-    for signal in compared.changed_signals:
-        yield signal_line(signal)
+    yield from _some([signal_line(each) for each in compared.changed_signals], "signals", MOST_SIGNALS)
+    if run.cause is not None:
+        yield from cause_lines(run.cause)
+
+
+def accepted(baseline: Baseline | None) -> str:
+    """Return when and why a baseline was accepted."""
+    if baseline is None:
+        return str(Status.NO_BASELINE)
+    return f"accepted on {baseline.date}: {one_line(baseline.reason)}"
+
+
+def figures(baseline: Baseline | None) -> Iterator[str]:
+    """Yield the figures of a baseline and what else it keeps, a line each."""
+    if baseline is None:
+        return
+    for each in baseline.metrics:
+        allowed = f" ±{with_unit(each.allowed, each.unit, 2)}" if each.figure.value is not None else ""
+        yield f"{one_line(each.id)}, {one_line(each.about)}: {told(each.figure, each.unit)}{allowed}"
+    yield kept(baseline)
+
+
+def kept(baseline: Baseline) -> str:
+    """Return which signals a baseline keeps, or why none."""
+    if not baseline.signals:
+        return one_line(baseline.left_out) or "no signals"
+    samples = sum(each.ticks.size for each in baseline.signals)
+    names = joined([one_line(each.name) for each in baseline.signals])
+    return f"{counted(len(baseline.signals), 'signal')} in {samples} samples: {names}"
 
 
 def metric_line(change: MetricChange) -> str:
@@ -34,6 +64,67 @@ def metric_line(change: MetricChange) -> str:
     return f"{text} ({sign}{moved}, allowed ±{allowed})"
 
 
+MOST_EDITS, MOST_SIGNALS = 6, 2
+"""Edits or changed rules, and signals, that are told; of more, how many there are."""
+
+
+def cause_lines(cause: Cause) -> Iterator[str]:
+    """Yield why a run left its baseline: what was edited, and the first scan at which it told."""
+    for old, new in cause.setting:
+        yield f"changed: {_from_to(old, new)}"
+    edited = [f"edited in {one_line(block)}: {_edit(edit)}" for block, edit in cause.edits]
+    yield from _some(edited, "edits")
+    if cause.divergence is not None:
+        yield from _divergence(cause.divergence)
+    if cause.is_whole:
+        yield "With the former rule base the run keeps its baseline: these edits are the whole reason."
+    elif cause.edits and cause.divergence is None:
+        yield "The former rule base does the same at every scan of this run: the reason lies elsewhere."
+    elif cause.edits:
+        yield "With the former rule base the run does not keep its baseline either: there is another reason."
+    elif not cause.setting:
+        yield (
+            "Rule bases, wiring and parameters are what they were: look at the plant's file, "
+            "at the tables that blocks read, and at the version of fcl_sim."
+        )
+
+
+def _edit(edit: Edit) -> str:
+    where = {"term": f"{edit.owner}, ", "setting": f"{edit.owner}, "}.get(edit.kind, "")
+    return where + _from_to(edit.old, edit.new)
+
+
+def _from_to(old: str, new: str) -> str:
+    if not old:
+        return f"{one_line(new)} is new"
+    return f"{one_line(old)} is gone" if not new else f"{one_line(old)} → {one_line(new)}"
+
+
+def _divergence(found: Divergence) -> Iterator[str]:
+    old, new = with_unit(found.old, ""), with_unit(found.new, found.unit)
+    where = f"first diverging scan: {exactly(found.time, 's')}, {one_line(found.signal)} {old} → {new}"
+    yield where
+    yield from _some([_rule(each) for each in found.rules], "rules")
+
+
+def _rule(change: RuleChange) -> str:
+    name = f"rule {one_line(change.label)}"
+    if change.new is None:
+        return f"{name} is gone; it fired with {number(change.old or 0.0)}"
+    if change.old is None:
+        return f"{name} is new and fires with {number(change.new)}"
+    if change.old == change.new:
+        return f"{name} fires with {number(change.new)} as before, and concludes something else"
+    return f"{name} fires with {number(change.new)} instead of {number(change.old)}"
+
+
+def _some(told_lines: Sequence[str], what: str, most: int = MOST_EDITS) -> Iterator[str]:
+    shown = len(told_lines) if len(told_lines) == most + 1 else most
+    yield from told_lines[:shown]
+    if len(told_lines) > shown:
+        yield f"and {len(told_lines) - shown} further {what}"
+
+
 def told(figure: Figure | None, unit: str) -> str:
     """Return a figure with its unit, or the word for why there is none."""
     if figure is None:
@@ -46,10 +137,19 @@ def signal_line(change: SignalChange) -> str:
     name = one_line(change.name)
     if change.reason:
         return f"{name}: {one_line(change.reason)}"
-    here = f"at {exactly(change.time, 's')} it is {with_unit(change.value, change.unit)}"
-    low, high = (with_unit(each, unit) for each, unit in ((change.low, ""), (change.high, change.unit)))
+    above = change.value > change.high
+    edge, word = (change.high, "at most") if above else (change.low, "at least")
+    value, bound = _apart(change.value, edge, change.unit), _apart(edge, change.value, change.unit)
     farthest = with_unit(change.farthest, change.unit)
-    return f"{name}: {here}, and {low} to {high} is allowed; farthest beyond: {farthest}"
+    return (
+        f"{name}: {value} at {exactly(change.time, 's')}, where {word} {bound} is allowed; "
+        f"farthest beyond: {farthest}"
+    )
+
+
+def _apart(number: float, other: float, unit: str) -> str:
+    """Return a number with its unit, to as many digits as tell it from another."""
+    return printed(wording.number(number, unit, other))
 
 
 def sentence(outcomes: Sequence[Outcome]) -> str:

@@ -14,6 +14,7 @@ from typing import Any
 
 from fcl_sim import __version__
 from fcl_sim.judge.verdict import Band, Corridor, Relative, Verdict, worst
+from fcl_sim.report.baseline_json import beside_baseline
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
 from fcl_sim.scenario.model import Scenario
@@ -127,6 +128,7 @@ def _run(run: Run) -> Json:
             for each in run.trace.events_by_kind
         ],
         "requirements": [_verdict(each) for each in run.verdicts],
+        "baseline": beside_baseline(run),
     }
 
 
