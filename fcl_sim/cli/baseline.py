@@ -103,7 +103,7 @@ def _not_shipped(files: Sequence[Path]) -> None:
 
 
 def _each(files: Sequence[Path], variants: Sequence[str], of: Callable[[Scenario], T]) -> list[T]:
-    """Return what is made of every scenario, before anything is written; InputFault with the faults of all."""
+    """Return what is made of every scenario, before anything is written; InputFault with all faults."""
     made: list[T] = []
     faults: dict[Diagnostic, None] = {}
     with progress("simulating") as advance:

@@ -101,8 +101,9 @@ def with_rule_bases(diagram: Diagram, blocks: Mapping[str, Block]) -> Diagram:
     """Return a diagram with other function blocks in some of its fuzzy blocks, by their names."""
 
     def with_block(node: Node | FuzzyNode) -> Node | FuzzyNode:
-        is_other = isinstance(node, FuzzyNode) and node.name in blocks
-        return replace(node, block=blocks[node.name]) if is_other else node
+        if isinstance(node, FuzzyNode) and node.name in blocks:
+            return replace(node, block=blocks[node.name])
+        return node
 
     return replace(diagram, nodes=tuple(map(with_block, diagram.nodes)))
 

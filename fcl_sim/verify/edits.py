@@ -38,7 +38,7 @@ Key = tuple[str, str, str]
 def edits(old: FunctionBlock, new: FunctionBlock) -> tuple[Edit, ...]:
     """Return what was edited, in the order of the new text, what was taken out last."""
     before, after = dict(_parts(old)), dict(_parts(new))
-    keys = [key for key in (*after, *(each for each in before if each not in after))]
+    keys = (*after, *(each for each in before if each not in after))
     return tuple(
         Edit(kind=key[0], owner=key[1], name=key[2], old=before.get(key, ""), new=after.get(key, ""))
         for key in keys
@@ -48,11 +48,8 @@ def edits(old: FunctionBlock, new: FunctionBlock) -> tuple[Edit, ...]:
 
 def _parts(block: FunctionBlock) -> Iterator[tuple[Key, str]]:
     """Yield what can be edited on its own, and its canonical text on one line."""
-    for group, variables in (
-        ("VAR_INPUT", block.inputs),
-        ("VAR_OUTPUT", block.outputs),
-        ("VAR", block.variables),
-    ):
+    groups = {"VAR_INPUT": block.inputs, "VAR_OUTPUT": block.outputs, "VAR": block.variables}
+    for group, variables in groups.items():
         for variable in variables:
             yield (VARIABLE, group, variable.name), _declared(variable)
     for section in block.fuzzifications:
