@@ -1,6 +1,6 @@
 """The one sequence: read, bind, wire, run, judge, compare with the baseline."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -8,13 +8,13 @@ from time import perf_counter
 from types import MappingProxyType
 from typing import Any
 
-from fcl_sim.block import load
+from fcl_sim.block import Block, load
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.judge.baseline import Baseline, Comparison
 from fcl_sim.judge.compare import compare
 from fcl_sim.judge.judge import judge
 from fcl_sim.judge.verdict import Requirement, Status, Verdict, worst
-from fcl_sim.loop.diagram import Diagram
+from fcl_sim.loop.diagram import Diagram, FuzzyNode
 from fcl_sim.loop.open import OpenLoop
 from fcl_sim.loop.run import run as simulate
 from fcl_sim.loop.trace import Trace
@@ -25,16 +25,19 @@ from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements,
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 from fcl_sim.scenario.references import reference_signals
-from fcl_sim.verify.cause import Cause, cause_of
+from fcl_sim.verify.cause import Cause, cause_of, with_rule_bases
 from fcl_sim.verify.record import Acceptance, record
 
 __all__ = [
     "BASE",
+    "Against",
     "OpenLoop",
     "Outcome",
     "Prepared",
     "Run",
     "Update",
+    "against_rule_bases",
+    "against_scenario",
     "bench_of",
     "judge_trace",
     "open_loop",
@@ -71,12 +74,24 @@ class Run:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Against:
+    """An older version of a scenario: what it is called, and its runs by variant."""
+
+    label: str
+    runs: Mapping[str, Run]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Outcome:
-    """A scenario with all its variants, run and judged; the base run stands first."""
+    """A scenario with all its variants, run and judged; the base run stands first.
+
+    `against` is the older version beside which it is shown, where one was named.
+    """
 
     scenario: Scenario
     variants: Mapping[str, Run]
     verdict: Status
+    against: Against | None = None
 
     @property
     def base(self) -> Run:
@@ -146,20 +161,59 @@ def open_loop(
 
 def run_scenario(scenario: Scenario) -> Outcome:
     """Return what comes of a scenario that was read."""
-    simulated = {each.variant: (each, *_simulated(each)) for each in prepare(scenario)}
+    runs = _all_run(prepare(scenario))
+    verdict = worst([each.verdict for each in runs.values()])
+    return Outcome(scenario=scenario, variants=runs, verdict=verdict)
+
+
+def _all_run(prepared: Sequence[Prepared]) -> Mapping[str, Run]:
+    simulated = {each.variant: (each, *_simulated(each)) for each in prepared}
     traces = {variant: trace for variant, (_, trace, _) in simulated.items()}
     runs = {variant: _judged(*each, traces) for variant, each in simulated.items()}
-    verdict = worst([each.verdict for each in runs.values()])
-    return Outcome(scenario=scenario, variants=MappingProxyType(runs), verdict=verdict)
+    return MappingProxyType(runs)
 
 
-def prepare(scenario: Scenario) -> tuple[Prepared, ...]:
-    """Return every variant, bound and wired; InputFault with the faults of all, each once."""
+def against_scenario(outcome: Outcome, older: Scenario, label: str) -> Outcome:
+    """Return an outcome beside an older version of its scenario, which is run for it."""
+    return replace(outcome, against=Against(label=label, runs=_all_run(prepare(older, is_compared=False))))
+
+
+def against_rule_bases(outcome: Outcome, blocks: Mapping[str, Block], label: str) -> Outcome:
+    """Return an outcome beside its own scenario with other function blocks, by the name of each in FCL.
+
+    It is as it was where its scenario has none of them. InputFault where one
+    does not fit the loop.
+    """
+    others = {name.casefold(): block for name, block in blocks.items()}
+    prepared, is_other = [], False
+    for each in prepare(outcome.scenario, is_compared=False):
+        changed = {
+            node.name: others[node.block.name.casefold()]
+            for node in each.diagram.nodes
+            if isinstance(node, FuzzyNode) and node.block.name.casefold() in others
+        }
+        is_other = is_other or bool(changed)
+        diagram = with_rule_bases(each.diagram, changed)
+        wire(diagram)
+        prepared.append(replace(each, diagram=diagram))
+    if not is_other:
+        return outcome
+    return replace(outcome, against=Against(label=label, runs=_all_run(prepared)))
+
+
+def prepare(scenario: Scenario, *, is_compared: bool = True) -> tuple[Prepared, ...]:
+    """Return every variant, bound and wired; InputFault with the faults of all, each once.
+
+    They come with their baselines, unless they are not to be compared with
+    them; overrides make other runs of them, which no baseline is of.
+    """
+    is_compared = is_compared and not scenario.overrides
     prepared, faults = [], dict[Diagnostic, None]()
     load_once = cache(load)
     for variant in scenario.variants:
         try:
-            prepared.append(_with_baseline(scenario, _prepare(scenario, variant, load_once)))
+            found = _prepare(scenario, variant, load_once)
+            prepared.append(_with_baseline(scenario, found) if is_compared else found)
         except InputFault as fault:
             faults.update(dict.fromkeys(fault.diagnostics))
     if faults:
@@ -181,9 +235,6 @@ def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepare
 
 
 def _with_baseline(scenario: Scenario, prepared: Prepared) -> Prepared:
-    """Return it with its baseline; overrides make another run of it, which no baseline is of."""
-    if scenario.overrides:
-        return prepared
     found = baseline_file.read(scenario.path, prepared.variant)
     return replace(prepared, baseline=found, is_compared=True)
 

@@ -7,6 +7,7 @@ from time import perf_counter
 import click
 
 from fcl_sim import testbench
+from fcl_sim.cli.against import against, print_against
 from fcl_sim.cli.benches import reports_folder, scenario_files
 from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.progress import progress
@@ -49,7 +50,13 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
     metavar="FILE",
     help="Write every signal to FILE, .csv or .npz; of several runs to FILE-SCENARIO-VARIANT each.",
 )
-def command(
+@click.option(
+    "--against",
+    "older",
+    metavar="REV|OLD.fcl",
+    help="Show every figure and signal beside those of a git revision, or of an older rule base.",
+)
+def command(  # noqa: PLR0913  each is an option of the command line
     *,
     paths: tuple[Path, ...],
     overrides: dict[str, object],
@@ -57,6 +64,7 @@ def command(
     no_report: bool,
     as_json: bool,
     trace: Path | None,
+    older: str | None,
 ) -> Exit:
     """Simulate scenarios in closed loop, judge them, write reports.
 
@@ -68,9 +76,13 @@ def command(
     folder = None if no_report else reports or reports_folder()
     begun = perf_counter()
     outcomes, faults = _simulate(files, overrides)
+    if older is not None and not faults:
+        outcomes = against(outcomes, older)
     simulated = perf_counter()
     if not as_json:
         _print(outcomes)
+        if older is not None:
+            print_against(outcomes, older, console())
     if faults:
         raise InputFault(faults)  # no report either: it would not say what is missing
     if as_json:

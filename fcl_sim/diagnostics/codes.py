@@ -138,6 +138,8 @@ CODES: dict[str, str] = {
     "RUN106": "a picture is not drawn in this format",
     "RUN107": "there is no rule base",
     "RUN108": "a run cannot become a baseline",
+    "RUN109": "there is no such revision of the bench",
+    "RUN110": "no scenario uses the function blocks of an older rule base",
     "RUN201": "the report cannot be written",
     "RUN202": "another run is writing its report into the same folder",
     "RUN203": "SOURCE_DATE_EPOCH is not a date",

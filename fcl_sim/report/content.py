@@ -1,7 +1,7 @@
 """What the PDF says, as the data that its template lays out: words and order, no layout."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from fcl_sim import __version__
@@ -10,7 +10,7 @@ from fcl_sim.judge.wording import relation
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.model import Defuzzification, RuleBlock
-from fcl_sim.report import characteristics, pictures, summary
+from fcl_sim.report import baselines, beside, characteristics, pictures, summary
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of, rule_base
 from fcl_sim.report.results import versions
@@ -141,15 +141,44 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
     parts += [(_run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
     maps = [each for run in runs for each in characteristics.over_inputs(run)]
     parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
-    return [
-        {
-            "title": one_line(title),
-            "text": text,
-            "pictures": [_picture(each, outcome.scenario.name, register) for each in shown],
-        }
-        for title, text, shown in parts
-        if shown
-    ]
+    sections = [_section(outcome, register, *part) for part in parts if part[2]]
+    return [*_beside(outcome, register), *sections]
+
+
+def _section(
+    outcome: Outcome,
+    register: Register,
+    title: str,
+    text: str,
+    shown: Sequence[Picture],
+    changes: Sequence[beside.Beside] = (),
+) -> Data:
+    return {
+        "title": one_line(title),
+        "text": text,
+        "changes": [{key: one_line(each) for key, each in asdict(row).items()} for row in changes],
+        "pictures": [_picture(each, outcome.scenario.name, register) for each in shown],
+    }
+
+
+def _beside(outcome: Outcome, register: Register) -> list[Data]:
+    """Return what is told of an outcome beside its baselines, and beside an older version."""
+    found, runs = [], outcome.variants.values()
+    rows = list(beside.baseline_rows(outcome))
+    if rows:
+        causes = [
+            f"Run {one_line(run.variant)}: {'; '.join(baselines.cause_lines(run.cause))}"
+            for run in runs
+            if run.cause is not None
+        ]
+        shown = [each for run in runs for each in beside.baseline_pictures(run)]
+        found.append(_section(outcome, register, "Beside the baselines", "\n".join(causes), shown, rows))
+    if outcome.against is not None:
+        title = f"Against {outcome.against.label}"
+        shown = beside.against_pictures(outcome)
+        text = "" if shown else "Every signal of every run is what it was."
+        found.append(_section(outcome, register, title, text, shown, list(beside.against_rows(outcome))))
+    return found
 
 
 CHARACTERISTIC = (

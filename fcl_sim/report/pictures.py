@@ -24,7 +24,7 @@ class Picture:
 
 def all_runs(outcome: Outcome) -> list[Picture]:
     """Return the judged signals with all runs overlaid; nothing where there is one run, or nothing judged."""
-    runs = [_shown(run) for run in outcome.variants.values()]
+    runs = [view_of(run) for run in outcome.variants.values()]
     wanted = [lane for lane in lanes(runs[0]) if lane.judged] if len(runs) > 1 else []
     parted = pages(wanted)
     return [
@@ -41,7 +41,7 @@ def all_runs(outcome: Outcome) -> list[Picture]:
 
 def over_time(run: Run) -> list[Picture]:
     """Return every signal of a run over time, as many figures as pages are needed."""
-    view = _shown(run)
+    view = view_of(run)
     parted = pages(lanes(view))
     return [
         Picture(
@@ -59,7 +59,8 @@ def numbered(stem: str, index: int, count: int) -> str:
     return stem if count == 1 else f"{stem}-{index + 1}"
 
 
-def _shown(run: Run) -> Shown:
+def view_of(run: Run) -> Shown:
+    """Return a run as a time plot takes it."""
     duration = run.diagram.timing.duration / 1e9
     return Shown(label=run.variant, trace=run.trace, duration=duration, verdicts=run.verdicts)
 

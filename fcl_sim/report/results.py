@@ -18,7 +18,7 @@ from fcl_sim.report.baseline_json import beside_baseline
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
 from fcl_sim.scenario.model import Scenario
-from fcl_sim.testbench import Outcome, Run
+from fcl_sim.testbench import Against, Outcome, Run
 
 SCHEMA = 1
 
@@ -79,6 +79,7 @@ def _scenario(outcome: Outcome) -> Json:
         "overrides": {key: str(value) for key, value in scenario.overrides.items()},
         "inputs": [_input(each) for each in inputs_of(outcome)],
         "variants": [_run(run) for run in outcome.variants.values()],
+        "against": None if outcome.against is None else _older(outcome.against),
     }
 
 
@@ -130,6 +131,10 @@ def _run(run: Run) -> Json:
         "requirements": [_verdict(each) for each in run.verdicts],
         "baseline": beside_baseline(run),
     }
+
+
+def _older(against: Against) -> Json:
+    return {"label": against.label, "variants": [_run(run) for run in against.runs.values()]}
 
 
 def _verdict(verdict: Verdict) -> Json:
