@@ -4,6 +4,7 @@
 about is a noun of `judge.baseline`; here it has its place and its form.
 """
 
+import hashlib
 import json
 import os
 import tomllib
@@ -33,6 +34,9 @@ from fcl_sim.units import Quantity, UnitError, nanoseconds, parse_quantity, pars
 BASELINES = "baselines"
 """The folder of baselines, beside the scenarios that they belong to; no scenario stands in it."""
 
+LONGEST = 200
+"""Bytes of a file's name; of a longer one the rest is a digest, for file systems take 255."""
+
 HEAD = """\
 # What this run came to when it was last accepted. `fcl-sim baseline update --reason "..."` writes it;
 # the tolerances are yours to change, and an update keeps them.
@@ -41,7 +45,11 @@ HEAD = """\
 
 def path_of(scenario: Path, variant: str) -> Path:
     """Return the file of a variant's baseline."""
-    return scenario.parent / BASELINES / f"{scenario.stem}.{variant}.toml"
+    name = f"{scenario.stem}.{variant}"
+    if len(name.encode()) > LONGEST:
+        digest = hashlib.sha256(name.encode()).hexdigest()[:12]
+        name = f"{name.encode()[:LONGEST].decode(errors='ignore')}.{digest}"
+    return scenario.parent / BASELINES / f"{name}.toml"
 
 
 def read(scenario: Path, variant: str) -> Baseline | None:
@@ -156,7 +164,7 @@ def _in(given: Any, unit: Any) -> float:
 def write(baseline: Baseline, path: Path) -> None:
     """Write a baseline in one step, so that nobody sees half of it; OSError where the system refuses."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    work = path.with_name(f".{path.name}.{os.getpid()}")
+    work = path.with_name(f".{os.getpid()}")
     try:
         work.write_text(text_of(baseline), encoding="utf-8", newline="\n")
         work.replace(path)
@@ -194,7 +202,7 @@ def _metric_row(metric: MetricReference) -> str:
     pairs = {
         "id": _text(metric.id),
         "about": _text(metric.about),
-        "value": _text(figure.word) if figure.value is None else _quantity(float(value), metric.unit),
+        "value": _text(figure.word) if figure.value is None else _quantity(float(value) + 0.0, metric.unit),
         "absolute": _quantity(metric.absolute, metric.unit),
         "relative": short(metric.relative),
     }
@@ -234,7 +242,7 @@ def _signal_table(signal: SignalReference) -> list[str]:
         "[[signal]]",
         *(f"{key:<8} = {each}" for key, each in settings.items()),
         "samples  = [",
-        *(f"  [{short(tick / 1e9)}, {short(value)}]," for tick, value in rows),
+        *(f"  [{short(tick / 1e9)}, {short(value + 0.0)}]," for tick, value in rows),
         "]",
     ]
 

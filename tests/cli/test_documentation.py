@@ -22,10 +22,7 @@ def test_the_short_help_of_a_command_begins_its_long_help():
 
 
 def test_every_option_that_the_page_shows_is_there():
-    options = {
-        option
-        for name in COMMANDS
-        for parameter in program.get_command(None, name).params
-        for option in parameter.opts
-    }
+    commands = [program.get_command(None, name) for name in COMMANDS]
+    commands += [each for group in commands for each in getattr(group, "commands", {}).values()]
+    options = {option for command in commands for each in command.params for option in each.opts}
     assert set(re.findall(r"`(--[\w-]+)", PAGE)) - {"--help"} <= options

@@ -4,6 +4,7 @@ import json
 import numpy as np
 import pytest
 
+from tests.cli.conftest import accept
 from tests.house.places import ROOT
 
 
@@ -14,11 +15,12 @@ def lines(text):
 def test_the_bench_of_the_current_folder_is_run_and_its_reports_written(invoke, bench):
     result = invoke("run")
     assert (result.exit_code, result.stderr) == (0, "")
-    *table, written, seconds = lines(result.stdout)
+    *table, kept, written, seconds = lines(result.stdout)
     assert table[0].split() == ["scenario", "variant", "requirement", "asked", "measured", "verdict"]
     assert table[1].split()[:7] == ["crane/short", "base", "S-1", "at", "most", "9", "deg"]
     assert table[1].endswith("deg  PASS")
     assert table[2] == "1 scenario, 1 run, 1 verdict: 1 PASS."
+    assert kept == "Baselines of 1 run: 1 PASS."
     assert written == "written: reports/report.pdf"
     assert seconds.startswith("simulation ")
     assert (bench / "reports" / "report.pdf").read_bytes().startswith(b"%PDF-")
@@ -69,6 +71,7 @@ def test_a_trace_has_every_signal_of_the_run(invoke, bench):
 def test_traces_of_several_runs_carry_their_names(invoke, bench):
     short = bench / "scenarios" / "crane" / "short.toml"
     short.write_text(short.read_text() + '\n[variants.light]\n"plant.parameters.load_mass" = "10 t"\n')
+    accept(short)
     assert invoke("run", "--no-report", "--trace", "x.npz").exit_code == 0
     written = sorted(file.name for file in bench.glob("*.npz"))
     assert written == ["x-crane_short-base.npz", "x-crane_short-light.npz"]
@@ -104,6 +107,7 @@ def test_in_a_pipe_a_verdict_stays_one_line(invoke, bench):
     short = bench / "scenarios" / "crane" / "short.toml"
     name = "a_long_name_" * 20
     short.write_text(short.read_text() + f'\n[variants.{name}]\n"plant.parameters.load_mass" = "10 t"\n')
+    accept(short)
     shown = lines(invoke("run", "--no-report").stdout)
     assert [line.endswith("  PASS") for line in shown if name in line] == [True]
 
@@ -116,7 +120,7 @@ def test_the_shipped_bench_is_run_in_a_folder_without_one_and_reports_stay_there
     result = invoke("run")
     assert result.exit_code == 3
     named = [line.partition(":")[0] for line in result.stderr.splitlines()]
-    shipped = (ROOT / "scenarios").rglob("*.toml")
+    shipped = [each for each in (ROOT / "scenarios").rglob("*.toml") if each.parent.name != "baselines"]
     assert named == sorted(str(file) for file in shipped if not file.name.endswith(".controller.toml"))
 
 
