@@ -6,7 +6,7 @@ differ, plant and controller have seen the same, so what differs there is the
 cause and not a consequence.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,7 +20,7 @@ from fcl_sim.judge.verdict import Requirement, Status
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node
 from fcl_sim.loop.run import run
 from fcl_sim.loop.trace import FuzzyRecord, Trace, Values
-from fcl_sim.verify.edits import Edit, edits
+from fcl_sim.verify.edits import RULE, TERM, Edit, edits
 from fcl_sim.verify.record import canonical
 from fcl_sim.verify.setting import setting_of
 
@@ -92,7 +92,7 @@ def cause_of(
     return Cause(
         setting=setting,
         edits=found,
-        divergence=first_divergence(other, trace, found),
+        divergence=first_divergence(other, trace, _touched(diagram, former, found)),
         is_whole=compared.status is Status.PASS,
     )
 
@@ -140,10 +140,31 @@ def _subject(line: str) -> list[str]:
     return words[:2] if words[0] in {"parameter", "start", "block", "cycle"} else words[:1]
 
 
+def _touched(
+    diagram: Diagram, former: Mapping[str, Block], found: Sequence[tuple[str, Edit]]
+) -> set[tuple[str, str]]:
+    """Return block and label of the rules that conclude otherwise: edited, or their term of an output is."""
+    nodes = {node.name: node for node in diagram.nodes if isinstance(node, FuzzyNode)}
+    touched = {(block, edit.name) for block, edit in found if edit.kind == RULE}
+    terms = {(block, edit.owner, edit.name) for block, edit in found if edit.kind == TERM}
+    for name, block in former.items():
+        for version in (block, nodes[name].block):
+            rules = (rule for each in version.function_block.rule_blocks for rule in each.rules)
+            touched |= {
+                (name, rule.label)
+                for rule in rules
+                if any((name, each.variable, each.term) in terms for each in rule.conclusions)
+            }
+    return touched
+
+
 def first_divergence(
-    former: Trace, trace: Trace, edited: Sequence[tuple[str, Edit]] = ()
+    former: Trace, trace: Trace, touched: Collection[tuple[str, str]] = ()
 ) -> Divergence | None:
-    """Return where two runs of a loop part, None where they do not; fuzzy blocks go before other signals."""
+    """Return where two runs of a loop part, None where they do not; fuzzy blocks go before other signals.
+
+    `touched` has block and label of the rules that conclude otherwise though they fire as before.
+    """
     shared = min(len(former.ticks), len(trace.ticks))
     names = [name for name in trace.names if name in former]
     rows = {name: _parts_at(former[name][:shared], trace[name][:shared]) for name in names}
@@ -151,7 +172,7 @@ def first_divergence(
     if scan is None:
         return None
     name = _first_signal(trace, [each for each in names if rows[each] == scan])
-    block, rules = _rules_at(former, trace, name, scan, edited)
+    block, rules = _rules_at(former, trace, name, scan, touched)
     return Divergence(
         time=float(trace.time[scan]),
         signal=name,
@@ -181,25 +202,25 @@ def _first_signal(trace: Trace, names: Sequence[str]) -> str:
 
 
 def _rules_at(
-    former: Trace, trace: Trace, name: str, scan: int, edited: Sequence[tuple[str, Edit]]
+    former: Trace, trace: Trace, name: str, scan: int, touched: Collection[tuple[str, str]]
 ) -> tuple[str, tuple[RuleChange, ...]]:
     for path, record in trace.fuzzy.items():
         if path in former.fuzzy and name in {path, *(f"{path}.{each}" for each in record.output_names)}:
-            texts = {edit.name for block, edit in edited if block == path and edit.kind == "rule"}
-            return path, tuple(_rule_changes(former.fuzzy[path], record, scan, texts))
+            labels = {label for block, label in touched if block == path}
+            return path, tuple(_rule_changes(former.fuzzy[path], record, scan, labels))
     return "", ()
 
 
 def _rule_changes(
-    former: FuzzyRecord, record: FuzzyRecord, scan: int, edited: set[str]
+    former: FuzzyRecord, record: FuzzyRecord, scan: int, touched: set[str]
 ) -> Iterator[RuleChange]:
-    """Yield the rules of a block that fire otherwise, or fire and were edited, the largest change first."""
+    """Yield the rules of a block that fire otherwise, or fire and are touched, the largest change first."""
     old = dict(zip(former.rule_labels, former.degrees[scan].tolist(), strict=True))
     new = dict(zip(record.rule_labels, record.degrees[scan].tolist(), strict=True))
     found = []
     for label in dict.fromkeys((*new, *old)):
         before, after = old.get(label), new.get(label)
         moved = abs((after or 0.0) - (before or 0.0))
-        if moved > SAME or (label.rpartition(".")[2] in edited and (before or after)):
+        if moved > SAME or (label.rpartition(".")[2] in touched and (before or after)):
             found.append((moved, RuleChange(label=label, old=before, new=after)))
     yield from (each for _, each in sorted(found, key=lambda pair: -pair[0]))
