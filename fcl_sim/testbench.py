@@ -45,6 +45,7 @@ __all__ = [
     "run",
     "run_prepared",
     "run_scenario",
+    "run_together",
     "update_baseline",
 ]
 
@@ -161,12 +162,13 @@ def open_loop(
 
 def run_scenario(scenario: Scenario) -> Outcome:
     """Return what comes of a scenario that was read."""
-    runs = _all_run(prepare(scenario))
+    runs = run_together(prepare(scenario))
     verdict = worst([each.verdict for each in runs.values()])
     return Outcome(scenario=scenario, variants=runs, verdict=verdict)
 
 
-def _all_run(prepared: Sequence[Prepared]) -> Mapping[str, Run]:
+def run_together(prepared: Sequence[Prepared]) -> Mapping[str, Run]:
+    """Return what comes of the variants of a scenario by name, each judged beside the others."""
     simulated = {each.variant: (each, *_simulated(each)) for each in prepared}
     traces = {variant: trace for variant, (_, trace, _) in simulated.items()}
     runs = {variant: _judged(*each, traces) for variant, each in simulated.items()}
@@ -175,7 +177,7 @@ def _all_run(prepared: Sequence[Prepared]) -> Mapping[str, Run]:
 
 def against_scenario(outcome: Outcome, older: Scenario, label: str) -> Outcome:
     """Return an outcome beside an older version of its scenario, which is run for it."""
-    return replace(outcome, against=Against(label=label, runs=_all_run(prepare(older, is_compared=False))))
+    return replace(outcome, against=Against(label=label, runs=run_together(prepare(older, is_compared=False))))
 
 
 def against_rule_bases(outcome: Outcome, blocks: Mapping[str, Block], label: str) -> Outcome:
@@ -198,7 +200,7 @@ def against_rule_bases(outcome: Outcome, blocks: Mapping[str, Block], label: str
         prepared.append(replace(each, diagram=diagram))
     if not is_other:
         return outcome
-    return replace(outcome, against=Against(label=label, runs=_all_run(prepared)))
+    return replace(outcome, against=Against(label=label, runs=run_together(prepared)))
 
 
 def prepare(scenario: Scenario, *, is_compared: bool = True) -> tuple[Prepared, ...]:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from types import MappingProxyType
 
 from fcl_sim.diagnostics.spelling import nearest
@@ -161,6 +162,7 @@ _FACTOR = re.compile(r"([^\W\d_]+|%|°C|°)(?:\^?([+-]?\d{1,2}))?")
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
 
 
+@lru_cache(maxsize=256)
 def parse_unit(text: str) -> Unit:
     """Return the unit that `text` names; the empty text and `1` are dimensionless.
 

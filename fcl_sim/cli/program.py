@@ -15,6 +15,7 @@ COMMANDS = {
     "judge": "Judge a recorded trace by the requirements of a scenario.",
     "eval": "Evaluate a rule base once.",
     "plot": "Draw membership functions and the characteristic curve or surface.",
+    "mutate": "Change one thing at a time in the rule bases, and see which changes the bench notices.",
     "check": "Read rule bases and list what is wrong with them.",
     "conformance": "Print Tables 8 to 11 of IEC 61131-7: what fcl_sim has, or what a rule base needs.",
     "fmt": "Write rule bases in the canonical form of the standard.",

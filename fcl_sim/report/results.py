@@ -48,15 +48,16 @@ def recorded(trace: str, scenario: Scenario, variant: str, verdicts: Sequence[Ve
         "variant": variant,
         "requirements": [_verdict(each) for each in verdicts],
     }
-    return _printed(made)
+    return printed(made)
 
 
 def text(outcomes: Sequence[Outcome]) -> str:
     """Return the document as text, the same from the same inputs."""
-    return _printed(document(outcomes))
+    return printed(document(outcomes))
 
 
-def _printed(made: Json) -> str:
+def printed(made: Json) -> str:
+    """Return a document as text."""
     return json.dumps(made, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 

@@ -47,8 +47,8 @@ class _OfConclusion(_Change):
 
 def mutants_of_rules(block: FunctionBlock) -> Iterator[Mutant]:
     """Yield the mutants of each rule, in the order of the text."""
-    sections = (*block.fuzzifications, *block.defuzzifications)
-    orders = {each.variable.casefold(): in_order(each.terms) for each in sections}
+    orders = {each.variable.casefold(): in_order(each.terms) for each in block.fuzzifications}
+    orders |= {each.variable.casefold(): in_order(each.terms) for each in block.defuzzifications}
     labels = iter(unique_labels(block))
     for number_of_block, rule_block in enumerate(block.rule_blocks):
         for place, rule in enumerate(rule_block.rules):

@@ -31,7 +31,9 @@ Changed = Iterator[tuple[str, Shape]]
 def mutants_of_terms(block: FunctionBlock, share: float) -> Iterator[Mutant]:
     """Yield the mutants of each term, those of inputs first; a variable of whole numbers keeps to them."""
     types = {each.name.casefold(): each.type for each in (*block.inputs, *block.outputs)}
-    for section in (*block.fuzzifications, *block.defuzzifications):
+    sections: tuple[Fuzzification | Defuzzification, ...]
+    sections = (*block.fuzzifications, *block.defuzzifications)
+    for section in sections:
         others = all_places(section.terms)
         whole = types[section.variable.casefold()] not in FRACTIONAL
         for term in section.terms:
