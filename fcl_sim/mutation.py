@@ -49,7 +49,7 @@ class Killer:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fate:
-    """A mutant, its group, what killed it, and where it differs most from the original in the runs' inputs."""
+    """A mutant, its group, what killed it, and where in the original's runs it differs most."""
 
     mutant: Mutant
     group: Group

@@ -30,7 +30,7 @@ SETTLES = """
 [[require]]
 id = "T-1"
 text = "The level settles at two thirds"
-formula = "always[6 s, 8 s] (abs(plant.output - 0.6667) < 0.05)"
+formula = "always[6 s, 8 s] (abs(tank.level - 0.6667) < 0.05)"
 """
 
 SCENARIO = """\
@@ -40,13 +40,15 @@ scan     = "50 ms"
 
 [plant]
 model      = "first_order"
+name       = "tank"
+outputs    = ["level"]
 parameters = { gain = 1, time_constant = "1 s" }
 inputs     = { input = "rules.inlet" }
 
 [blocks.rules]
 type   = "fuzzy"
 file   = "tank.fcl"
-inputs = { level = "plant.output" }
+inputs = { level = "tank.level" }
 """
 
 

@@ -1,4 +1,4 @@
-"""Mutants in closed loop: which requirement or baseline tells them from the original, and which nothing does."""
+"""Mutants in closed loop: which of them requirements or baselines tell from the original."""
 
 import shutil
 
@@ -57,8 +57,7 @@ def test_every_mutant_meets_one_fate(tank):
         "rule 2: left out",  # it fills to 2
         "rule 1: level IS low → level IS NOT low",
         "rule 1: inlet IS open WITH 1 → 0.5",  # it settles at (√17 - 3) / 2 = 0.56
-        "term open of inlet: 2 → 2.25",  # at 2.25 / 3.25 = 0.69: not far enough, see below
-    ][:4],
+    ],
 )
 def test_what_makes_the_level_settle_elsewhere_is_killed_by_the_requirement(tank, name):
     fate = named(tank, name)
@@ -68,7 +67,7 @@ def test_what_makes_the_level_settle_elsewhere_is_killed_by_the_requirement(tank
 
 
 def test_what_changes_nothing_where_the_run_goes_is_alive_with_the_same_law(tank):
-    assert NOTHING_THERE <= told(tank, Group.SAME)
+    assert told(tank, Group.SAME) >= NOTHING_THERE
     assert all(each.difference.share == 0.0 for each in tank.of(Group.SAME))
 
 
@@ -98,7 +97,7 @@ def test_an_expected_miss_that_is_met_kills(tmp_path):
 [[require]]
 id = "T-2"
 text = "The level comes above 1. It does not: the inlet is shut there."
-metric = { maximum = { signal = "plant.output" } }
+metric = { maximum = { signal = "tank.level" } }
 min = 1
 expect = "fail"
 """
@@ -122,7 +121,7 @@ title = "The same once more"
 [[require]]
 id = "T-3"
 text = "Both fill alike"
-metric = { maximum = { signal = "plant.output" } }
+metric = { maximum = { signal = "tank.level" } }
 relative_to = { variant = "base", as = "ratio" }
 min = 0.999
 max = 1.001
@@ -133,14 +132,8 @@ max = 1.001
 
 
 def test_a_rule_base_in_int_is_compared_in_its_counts(tmp_path):
-    fcl_text = (
-        TANK.replace("LREAL", "INT")
-        .replace("(1, ", "(1000, ")
-        .replace("(5, 0) (6, 1)", "(5000, 0) (6000, 1)")
-    )
-    fcl_text = fcl_text.replace("part := 1", "part := 1000").replace("open := 2", "open := 2000")
-    path = write_bench(tmp_path, SETTLES, fcl_text)
-    scale = "scale = { level = 0.001, inlet = 0.001 }\n"
+    path = write_bench(tmp_path, SETTLES, TANK.replace("LREAL", "INT"))
+    scale = "scale  = { level = 0.001, inlet = 0.001 }\n"
     path.write_text(path.read_text("utf-8").replace("[[require]]", scale + "\n[[require]]", 1), "utf-8")
     survey = surveyed(path, lambda each: each.rule in {"2", "3"})
     assert named(survey, "rule 3: left out").group is Group.SAME
@@ -151,11 +144,11 @@ def test_a_rule_base_in_int_is_compared_in_its_counts(tmp_path):
 def test_the_order_of_runs_and_the_number_of_threads_change_no_fate(monkeypatch):
     (base,) = mutation.rule_bases([read(CRANE / "printed.toml")])
     monkeypatch.setattr(mutation, "PILOTS", 2)
-    few = mutation.survey(base, lambda each: each.rule == "6" or each.rule == "5", workers=1)
-    many = mutation.survey(base, lambda each: each.rule == "6" or each.rule == "5", workers=4)
+    few = mutation.survey(base, lambda each: each.rule == "5", workers=1)
+    many = mutation.survey(base, lambda each: each.rule == "5", workers=4)
     assert few.fates == many.fates
     monkeypatch.setattr(mutation, "PILOTS", 1000)
-    plain = mutation.survey(base, lambda each: each.rule == "6" or each.rule == "5")
+    plain = mutation.survey(base, lambda each: each.rule == "5")
     assert [each.group for each in plain.fates] == [each.group for each in few.fates]
 
 

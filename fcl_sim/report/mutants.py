@@ -51,15 +51,19 @@ def place(mutant: Mutant, rule_base: RuleBase) -> str:
 
 def remarks(rule_base: RuleBase, refused: Sequence[Mutant]) -> Iterator[str]:
     """Yield what takes from the force of a survey."""
-    name = shown(rule_base.file)
-    if rule_base.not_passing:
-        verdicts = counted(rule_base.not_passing, "verdict")
-        yield f"{name}: {verdicts} of its runs are not PASS with the rule base as it is, and kill nothing"
-    if rule_base.without_baseline:
-        runs = f"{rule_base.without_baseline} of its {counted(len(rule_base.cases), 'run')}"
-        yield f"{name}: {runs} have no baseline that they keep, which could kill"
+    name, red, bare = shown(rule_base.file), rule_base.not_passing, rule_base.without_baseline
+    if red:
+        verbs = ("is", "kills") if red == 1 else ("are", "kill")
+        yield (
+            f"{name}: {counted(red, 'verdict')} of its runs {verbs[0]} not PASS with the rule base as it is, "
+            f"and {verbs[1]} nothing"
+        )
+    if bare:
+        runs = f"{counted(bare, 'run')} of {len(rule_base.cases)}"
+        which = "which has none or leaves it" if bare == 1 else "which have none or leave theirs"
+        yield f"{name}: no baseline can kill in {runs}, {which} anyway"
     if refused:
-        yield f"{name}: {counted(len(refused), 'mutant')} cannot be computed in INT and were left out"
+        yield f"{name}: left out, as INT cannot compute them: {counted(len(refused), 'mutant')}"
 
 
 def sentence(surveys: Sequence[Survey]) -> str:

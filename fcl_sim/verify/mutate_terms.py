@@ -29,13 +29,15 @@ Changed = Iterator[tuple[str, Shape]]
 
 
 def mutants_of_terms(block: FunctionBlock, share: float) -> Iterator[Mutant]:
-    """Yield the mutants of each term, those of inputs first; a variable of whole numbers keeps to them."""
+    """Yield the mutants of each term, inputs first; whole places of variables of whole numbers stay so."""
     types = {each.name.casefold(): each.type for each in (*block.inputs, *block.outputs)}
     sections: tuple[Fuzzification | Defuzzification, ...]
     sections = (*block.fuzzifications, *block.defuzzifications)
     for section in sections:
         others = all_places(section.terms)
-        whole = types[section.variable.casefold()] not in FRACTIONAL
+        whole = types[section.variable.casefold()] not in FRACTIONAL and all(
+            place.is_integer() for place in others
+        )
         for term in section.terms:
             kind, changes = _of_shape(term.shape, others, share, whole=whole)
             for what, shape in changes:
