@@ -10,13 +10,16 @@ from pathlib import Path
 from fcl_sim.block import Block
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.judge.verdict import Status
+from fcl_sim.judge.compare import compare
+from fcl_sim.judge.judge import judge
+from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.loop.diagram import Diagram, FuzzyNode
 from fcl_sim.loop.run import run as simulate
 from fcl_sim.loop.trace import Trace
 from fcl_sim.model import FunctionBlock
 from fcl_sim.scenario.model import Scenario
-from fcl_sim.testbench import Prepared, Run, prepare, run_prepared, run_together
+from fcl_sim.testbench import Prepared, Run, prepare, run_together
+from fcl_sim.verify.cause import with_rule_bases
 from fcl_sim.verify.mutants import Mutant, mutants
 from fcl_sim.verify.same_law import SAME, Difference, Visits, difference, visits
 
@@ -215,7 +218,7 @@ def _fastest_first(
 
 def _kills(case: Case, mutant: Mutant) -> bool:
     block = _block(mutant, [case])
-    return block is not None and _requirement(case, _run(case, block)) is not None
+    return block is not None and _requirement(case, _judged(case, block)[1]) is not None
 
 
 def _fate(mutant: Mutant, cases: Sequence[Case]) -> Fate | None:
@@ -233,11 +236,11 @@ def _fate(mutant: Mutant, cases: Sequence[Case]) -> Fate | None:
         return Fate(mutant=mutant, group=Group.SAME, killer=None, difference=largest)
     baseline = None
     for case in cases:
-        run = _run(case, block)
-        killer = _requirement(case, run)
+        trace, verdicts = _judged(case, block)
+        killer = _requirement(case, verdicts)
         if killer is not None:
             return Fate(mutant=mutant, group=Group.REQUIREMENTS, killer=killer, difference=largest)
-        baseline = baseline or _baseline(case, run)
+        baseline = baseline or _baseline(case, trace, verdicts)
     alive = Group.SAME if largest.share <= SAME else Group.DIFFERENT
     group = alive if baseline is None else Group.BASELINES
     return Fate(mutant=mutant, group=group, killer=baseline, difference=largest)
@@ -256,18 +259,11 @@ def _block(mutant: Mutant, cases: Sequence[Case]) -> Block | None:
     return block
 
 
-def _run(case: Case, block: Block) -> Run:
+def _judged(case: Case, block: Block) -> tuple[Trace, tuple[Verdict, ...]]:
     """Run a case with another block in place of its rule base, and so the runs that it is relative to."""
-    mutated = replace(case.prepared, diagram=_with_block(case.prepared.diagram, frozenset(case.nodes), block))
-    return run_prepared(mutated, _Others(case, block))
-
-
-def _with_block(diagram: Diagram, names: frozenset[str], block: Block) -> Diagram:
-    nodes = tuple(
-        replace(node, block=block) if isinstance(node, FuzzyNode) and node.name in names else node
-        for node in diagram.nodes
-    )
-    return replace(diagram, nodes=nodes)
+    prepared = case.prepared
+    trace = simulate(with_rule_bases(prepared.diagram, dict.fromkeys(case.nodes, block)))
+    return trace, judge(trace, prepared.requirements, _Others(case, block))
 
 
 class _Others(Mapping[str, Trace]):
@@ -280,7 +276,7 @@ class _Others(Mapping[str, Trace]):
         prepared, original, names = self._case.others[variant]
         if not names:
             return original.trace
-        return simulate(_with_block(prepared.diagram, names, self._block))
+        return simulate(with_rule_bases(prepared.diagram, dict.fromkeys(names, self._block)))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._case.others)
@@ -293,22 +289,26 @@ def _passes(run: Run) -> dict[str, bool]:
     return {each.requirement.id: each.status is Status.PASS for each in run.verdicts}
 
 
-def _requirement(case: Case, run: Run) -> Killer | None:
+def _requirement(case: Case, verdicts: Sequence[Verdict]) -> Killer | None:
     """Return the first requirement that no longer passes, an expected miss that is met among them."""
     passed = _passes(case.original)
-    for each in run.verdicts:
+    for each in verdicts:
         if passed[each.requirement.id] and each.status is not Status.PASS:
-            by = each.requirement.id
-            return Killer(scenario=case.scenario, variant=run.variant, by=by, status=each.status)
+            return _killer(case, each.requirement.id, each.status)
     return None
 
 
-def _baseline(case: Case, run: Run) -> Killer | None:
+def _baseline(case: Case, trace: Trace, verdicts: Sequence[Verdict]) -> Killer | None:
     """Return the baseline that a run leaves where the original keeps it."""
-    if run.compared is None or run.compared.status is Status.PASS or not _keeps_baseline(case.original):
+    if not _keeps_baseline(case.original):
         return None
-    status = run.compared.status
-    return Killer(scenario=case.scenario, variant=run.variant, by="baseline", status=status)
+    prepared = case.prepared
+    status = compare(trace, verdicts, prepared.baseline, prepared.references or ()).status
+    return None if status is Status.PASS else _killer(case, "baseline", status)
+
+
+def _killer(case: Case, by: str, status: Status) -> Killer:
+    return Killer(scenario=case.scenario, variant=case.original.variant, by=by, status=status)
 
 
 def _keeps_baseline(run: Run) -> bool:

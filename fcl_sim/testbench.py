@@ -177,7 +177,9 @@ def run_together(prepared: Sequence[Prepared]) -> Mapping[str, Run]:
 
 def against_scenario(outcome: Outcome, older: Scenario, label: str) -> Outcome:
     """Return an outcome beside an older version of its scenario, which is run for it."""
-    return replace(outcome, against=Against(label=label, runs=run_together(prepare(older, is_compared=False))))
+    return replace(
+        outcome, against=Against(label=label, runs=run_together(prepare(older, is_compared=False)))
+    )
 
 
 def against_rule_bases(outcome: Outcome, blocks: Mapping[str, Block], label: str) -> Outcome:

@@ -93,7 +93,7 @@ def test_a_rule_that_is_not_there_is_wrong_usage(invoke, tank):
 
 def test_a_bench_without_a_rule_base_is_wrong_usage(invoke, tank):
     path = tank / "scenarios" / "fill.toml"
-    text = path.read_text("utf-8")
+    text = path.read_text("utf-8").replace('"rules.inlet"', '"rules"')
     start, end = text.index("[blocks.rules]"), text.index("[[require]]")
     path.write_text(
         text[:start] + '[blocks]\nrules = { type = "constant", value = 1 }\n\n' + text[end:], "utf-8"
