@@ -172,12 +172,17 @@ def test_a_breakpoint_moves_less_than_half_the_way(share):
 # -- laws
 
 
+def spread(found, most=40):
+    """Return at most so many mutants, from all parts of the catalogue: to read one back takes some time."""
+    return found[:: 1 + len(found) // most]
+
+
 def assert_laws(block: FunctionBlock) -> None:
     found = list(mutants(block))
     models = [each.function_block for each in found]
     assert block not in models
     assert len(set(models)) == len(models)
-    for each in found:
+    for each in spread(found):
         reading = fcl.read(fcl.write(each.function_block))
         assert reading.errors == (), str(each)
         assert reading.blocks == (each.function_block,), str(each)
@@ -217,7 +222,7 @@ def is_one_change(block, mutant):
     return 1 <= differences(block, mutant) <= allowed
 
 
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(function_blocks())
 def test_every_mutant_of_any_model_is_legal_and_no_two_are_equal(block):
     assert_laws(block)
@@ -227,7 +232,7 @@ def test_every_mutant_of_any_model_is_legal_and_no_two_are_equal(block):
 def test_every_mutant_of_the_files_here_is_legal_and_can_be_computed(file):
     for block in fcl.read_file(file).blocks:
         assert_laws(block)
-        for each in mutants(block) if can_be_computed(block) else ():
+        for each in spread(list(mutants(block)), 5) if can_be_computed(block) else ():
             assemble(each.function_block)
 
 
