@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator
 
 from benchmarks.block import measure_block
 from benchmarks.crane_loop import measure_loop
+from benchmarks.fixed_loop import measure_fixed
 from benchmarks.growth import measure_growth
-from benchmarks.lag_loop import measure_lag
 from benchmarks.many_runs import measure_runs
 from benchmarks.page import Section, setting, write
 from benchmarks.peers import measure_peers
@@ -18,7 +18,7 @@ from benchmarks.start import measure_start
 SECTIONS = {
     "block": ("One evaluation, against C", measure_block),
     "loop": ("In closed loop, against C", measure_loop),
-    "lag": ("In a loop of little else, against C", measure_lag),
+    "lag": ("With a fixed step and little else, against C", measure_fixed),
     "runs": ("Many runs", measure_runs),
     "peers": ("Called from Python, against Python", measure_peers),
     "growth": ("Growth with the number of rules", measure_growth),

@@ -129,29 +129,36 @@ static inline void lag(const double *x, double u, const double *p, double *dx)
     dx[1] = (p[0] * u - x[0] - p[1] * x[1]) / p[2];
 }
 
-/* record: scans + 1 rows of 3 signals, 2 inputs, output, flag, the degrees of the 6 rules. */
+enum { RULES = 6, COLUMNS = 3 + 4 + RULES };
+
+/* The block on what it reads; row: 3 signals, 2 inputs, output, flag, the degrees of the 6 rules. */
+static inline double controlled(double distance, double angle, double *restrict row)
+{
+    double far = ramp(distance, 10, 1.0 / 12);
+    double small = triangle(angle, -50, -5, 0), upright = triangle(angle, -5, 0, 5);
+    double fired[RULES] = {
+        least(far, upright), least(far, small), least(far, ramp(-angle, 5, 1.0 / 45)),
+        least(triangle(distance, 5, 10, 22), small),
+        least(triangle(distance, 0, 5, 10), triangle(angle, 0, 5, 50)),
+        least(triangle(distance, -5, 0, 5), upright),
+    };
+    double positive = most(fired[0], most(fired[2], fired[4]));
+    double sum = positive + fired[1] + fired[3] + fired[5];
+    double u = sum > 0 ? (9 * positive + 27 * fired[1] - 9 * fired[3]) / sum : 0;
+    row[0] = row[3] = distance;
+    row[1] = row[4] = angle;
+    row[2] = row[5] = u;
+    row[6] = sum > 0;
+    for (int i = 0; i < RULES; i++) row[7 + i] = fired[i];
+    return u;
+}
+
+/* record: scans + 1 rows. */
 void lag_loop(const double *p, double *x, long scans, double scan, double *record)
 {
-    enum { COLUMNS = 3 + 4 + 6 };
     double a[2], b[2], c[2], d[2], y[2];
     for (long n = 0; n <= scans; n++) {
-        double *row = record + n * COLUMNS;
-        double distance = p[3] - x[0], angle = 30 * x[1], far = ramp(distance, 10, 1.0 / 12);
-        double small = triangle(angle, -50, -5, 0), upright = triangle(angle, -5, 0, 5);
-        double fired[6] = {
-            least(far, upright), least(far, small), least(far, ramp(-angle, 5, 1.0 / 45)),
-            least(triangle(distance, 5, 10, 22), small),
-            least(triangle(distance, 0, 5, 10), triangle(angle, 0, 5, 50)),
-            least(triangle(distance, -5, 0, 5), upright),
-        };
-        double positive = most(fired[0], most(fired[2], fired[4]));
-        double sum = positive + fired[1] + fired[3] + fired[5];
-        double u = sum > 0 ? (9 * positive + 27 * fired[1] - 9 * fired[3]) / sum : 0;
-        row[0] = row[3] = distance;
-        row[1] = row[4] = angle;
-        row[2] = row[5] = u;
-        row[6] = sum > 0;
-        for (int i = 0; i < 6; i++) row[7 + i] = fired[i];
+        double u = controlled(p[3] - x[0], 30 * x[1], record + n * COLUMNS);
         if (n == scans) break;
         lag(x, u, p, a);
         for (int i = 0; i < 2; i++) y[i] = x[i] + 0.5 * scan * a[i];
@@ -161,5 +168,36 @@ void lag_loop(const double *p, double *x, long scans, double scan, double *recor
         for (int i = 0; i < 2; i++) y[i] = x[i] + scan * c[i];
         lag(y, u, p, d);
         for (int i = 0; i < 2; i++) x[i] += scan / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+    }
+}
+
+/* A crane without a drive of its own, as plain_crane_plant.py; p: trolley, load, cable, gravity, friction, force of a kW. */
+static inline void swing(const double *restrict x, double u, const double *restrict p, double *restrict dx)
+{
+    double s = sin(x[2]), c = cos(x[2]);
+    double force = p[5] * u - p[4] * x[1] + p[1] * s * (p[2] * x[3] * x[3] + p[3] * c);
+    dx[0] = x[1];
+    dx[1] = force / (p[0] + p[1] * s * s);
+    dx[2] = x[3];
+    dx[3] = -(dx[1] * c + p[3] * s) / p[2];
+}
+
+/* Runge-Kutta with `steps` a scan; record: scans + 1 rows. */
+void plain_crane_loop(const double *p, double *x, long scans, double scan, long steps, double *record)
+{
+    double a[4], b[4], c[4], d[4], y[4], h = scan / steps;
+    for (long n = 0; n <= scans; n++) {
+        double u = controlled(0 - x[0], x[2] * (180 / M_PI), record + n * COLUMNS);
+        if (n == scans) break;
+        for (long k = 0; k < steps; k++) {
+            swing(x, u, p, a);
+            for (int i = 0; i < 4; i++) y[i] = x[i] + 0.5 * h * a[i];
+            swing(y, u, p, b);
+            for (int i = 0; i < 4; i++) y[i] = x[i] + 0.5 * h * b[i];
+            swing(y, u, p, c);
+            for (int i = 0; i < 4; i++) y[i] = x[i] + h * c[i];
+            swing(y, u, p, d);
+            for (int i = 0; i < 4; i++) x[i] += h / 6 * (a[i] + 2 * b[i] + 2 * c[i] + d[i]);
+        }
     }
 }

@@ -2,8 +2,8 @@
 
    The same plant (plants/crane.py), controller (scenarios/crane) and algorithm
    as fcl_sim: Dormand-Prince 5(4) with step control between writes, friction as
-   modes, events located by the method of Illinois on steps of the scheme, and
-   the same samples recorded. Everything is known to the compiler: five states,
+   modes, events looked for within each step and located by the method of
+   Illinois on steps of the scheme, and the same samples recorded. Everything is known to the compiler: five states,
    25 rules, three blocks. */
 #include <math.h>
 #include <string.h>
@@ -137,6 +137,24 @@ static double locate(int *event, double h, const double *x, double u, const cran
     return hi;
 }
 
+/* At what part of a step an event may stand beyond zero that does not at its end, 1 if at none: in the middle, on the
+   cubic through both ends, or where the parabola through its beginning, middle and end is highest. */
+static inline double within(double h, const double *x, const crane *p, int mode, double k[7][N], const double *y,
+                            const double *g0, const double *g1, const int *armed)
+{
+    double middle[N], g[4], first = 1;
+    for (int i = 0; i < N; i++) middle[i] = 0.5 * (x[i] + y[i]) + 0.125 * h * (k[0][i] - k[6][i]);
+    events(middle, p, mode, g);
+    for (int i = 0; i < 4; i++) {
+        if (!armed[i] || g0[i] > 0 || g1[i] > 0) continue;
+        if (g[i] > 0) { first = least(first, 0.5); continue; }
+        double slope = 4 * g[i] - 3 * g0[i] - g1[i], bend = 2 * (g0[i] + g1[i]) - 4 * g[i];
+        if (slope > 0 && slope + 2 * bend < 0 && g0[i] - slope * slope / (4 * bend) > 0)
+            first = least(first, slope / (-2 * bend));
+    }
+    return first;
+}
+
 static int advance(double length, double *x, double u, const crane *p, int mode, double rtol, double *guess, int *armed)
 {
     double k[7][N], y[N], g0[4], g1[4], done = 0;
@@ -158,7 +176,15 @@ static int advance(double length, double *x, double u, const crane *p, int mode,
         *guess = growth < 5 ? h * growth : most(wanted, 5 * h);
         events(y, p, mode, g1);
         int event = beyond(g1, armed);
-        if (event >= 0) part = locate(&event, h, x, u, p, mode, k, y, g0, g1, armed);
+        double seen = within(h, x, p, mode, k, y, g0, g1, armed);
+        if (seen < 1) {
+            attempt(seen * h, x, u, p, mode, k, y);
+            events(y, p, mode, g1);
+            int earlier = beyond(g1, armed);
+            if (earlier >= 0) { event = earlier; part = seen; }
+            else { attempt(h, x, u, p, mode, k, y); events(y, p, mode, g1); }
+        }
+        if (event >= 0) part *= locate(&event, part * h, x, u, p, mode, k, y, g0, g1, armed);
         done = pieces == 1 && part == 1 ? length : done + part * h;
         memcpy(x, y, sizeof y);
         memcpy(g0, g1, sizeof g1);

@@ -15,7 +15,7 @@ import hashlib
 import os
 import shutil
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
@@ -221,13 +221,17 @@ class Entry:
 
     Called like the function it holds; arguments must match the signature
     exactly (contiguous arrays of the stated type). `salt` is what its machine
-    code depends on besides the package's kernel sources.
+    code depends on besides the package's kernel sources. One that is `flat`
+    makes no arrays, as a `flat` kernel.
     """
 
-    def __init__(self, function: Callable[..., Any], signature: Any, salt: str = "") -> None:
+    def __init__(
+        self, function: Callable[..., Any], signature: Any, salt: str = "", *, flat: bool = False
+    ) -> None:
         self.function = function
         self._signature = signature
         self._salt = salt
+        self._options = {**OPTIONS, "_nrt": False} if flat else OPTIONS
         self._ready: Callable[..., Any] | None = None
 
     def __call__(self, *arguments: Any) -> Any:
@@ -237,21 +241,23 @@ class Entry:
     def compile(self) -> Callable[..., Any]:
         """Return the compiled function, from the cache where it has one."""
         if self._ready is None:
-            self._ready = _compile(self.function, self._signature, self._salt)
+            self._ready = _compile(self.function, self._signature, self._salt, self._options)
         return self._ready
 
 
-def entry(signature: Any) -> Callable[[Callable[..., Any]], Entry]:
-    """Decorate a kernel that Python calls, with its one signature."""
+def entry(signature: Any, *, flat: bool = False) -> Callable[[Callable[..., Any]], Entry]:
+    """Decorate a kernel that Python calls, with its one signature; one that is `flat` makes no arrays."""
 
     def wrap(function: Callable[..., Any]) -> Entry:
-        return Entry(function, signature)
+        return Entry(function, signature, flat=flat)
 
     return wrap
 
 
-def _compile(function: Callable[..., Any], signature: Any, salt: str) -> Callable[..., Any]:
-    dispatcher: Any = numba.njit(pipeline_class=_Pipeline, **OPTIONS)(function)
+def _compile(
+    function: Callable[..., Any], signature: Any, salt: str, options: Mapping[str, Any]
+) -> Callable[..., Any]:
+    dispatcher: Any = numba.njit(pipeline_class=_Pipeline, **options)(function)
     if not compiled():
         return cast("Callable[..., Any]", dispatcher)
     folder = cache_folder(salt)

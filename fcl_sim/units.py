@@ -4,7 +4,8 @@ A unit is a product of powers of known symbols. A space or `*` multiplies, `/`
 divides all that follows up to the next `/`: `W/m2 K` is watt per square metre
 and kelvin. `m2`, `m^2` and `m**2` are the same. Angles have a dimension of
 their own, so that degrees are not taken for a plain number; `degC` is a
-temperature on the Celsius scale and meets no other unit, kelvin included.
+temperature on the Celsius scale and meets no other unit, kelvin included. In a
+product it counts differences, which are the same in kelvin: `%/degC` is `%/K`.
 """
 
 import math
@@ -19,6 +20,8 @@ from fcl_sim.diagnostics.spelling import nearest
 
 Dimension = tuple[int, ...]
 """Exponents of mass, length, time, current, temperature, angle and Celsius temperature."""
+
+TEMPERATURE, CELSIUS = 4, 6
 
 
 class UnitError(ValueError):
@@ -60,10 +63,16 @@ class Unit:
         powers = dict(self.powers)
         for name, exponent in other.powers:
             powers[name] = powers.get(name, 0) + exponent
+        dimension = [mine + theirs for mine, theirs in zip(self.dimension, other.dimension, strict=True)]
+        if alike := _opposite(powers.get("degC", 0), powers.get("K", 0)):
+            powers["degC"] -= alike
+            powers["K"] += alike
+            dimension[CELSIUS] -= alike
+            dimension[TEMPERATURE] += alike
         return Unit(
             self.scale * other.scale,
             self.pi + other.pi,
-            tuple(mine + theirs for mine, theirs in zip(self.dimension, other.dimension, strict=True)),
+            tuple(dimension),
             tuple((name, exponent) for name, exponent in powers.items() if exponent),
         )
 
@@ -80,12 +89,27 @@ class Unit:
 
     def same_as(self, other: "Unit") -> bool:
         """Return whether a number means the same in both units (`N s` and `kg m/s`)."""
-        mine = (self.scale, self.pi, self.dimension)
-        return mine == (other.scale, other.pi, other.dimension)
+        return (self.scale, self.pi) == (other.scale, other.pi) and self.commensurate(other)
 
     def commensurate(self, other: "Unit") -> bool:
         """Return whether one converts into the other (`min` and `ms`)."""
-        return self.dimension == other.dimension
+        return _counted(self.dimension) == _counted(other.dimension)
+
+
+def _counted(dimension: Dimension) -> Dimension:
+    """Return a dimension with Celsius among the kelvins, unless it is a temperature on that scale."""
+    *others, celsius = dimension
+    if not celsius or (celsius == 1 and not any(others)):
+        return dimension
+    others[TEMPERATURE] += celsius
+    return (*others, 0)
+
+
+def _opposite(one: int, other: int) -> int:
+    """Return what can be taken off `one`, and given to `other`, where their signs differ."""
+    if one * other >= 0:
+        return 0
+    return min(one, -other) if one > 0 else max(one, -other)
 
 
 def _power(name: str, exponent: int) -> str:
@@ -248,8 +272,10 @@ class Quantity:
 
 
 def _conversion_hint(unit: Unit, target: Unit) -> str:
-    if {unit.symbol, target.symbol} == {"degC", "K"}:
-        return "degC is a temperature on its own scale and K is not: write the number in the unit asked for"
+    if (unit.symbol, target.symbol) == ("K", "degC"):
+        return "degC is a scale of its own and K is not: write a difference of temperatures in degC, too"
+    if (unit.symbol, target.symbol) == ("degC", "K"):
+        return "degC is a scale of its own and K is not: write the number in K"
     if not target.symbol:
         return "write the number alone"
     return f"write it in {target.symbol}, or in a unit that converts to it"

@@ -227,7 +227,24 @@ def test_celsius_meets_only_itself() -> None:
     assert parse_quantity("20 degC").to("°C") == 20.0
     with pytest.raises(UnitError, match="20 degC does not convert to K") as caught:
         parse_quantity("20 degC").to("K")
-    assert caught.value.hint.startswith("degC is a temperature on its own scale")
+    assert caught.value.hint.startswith("degC is a scale of its own")
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [("%/degC", "%/K"), ("degC/s", "K/s"), ("W/m2 degC", "W/m2 K"), ("degC2", "K2"), ("degC2", "degC K")],
+)
+def test_in_a_product_degrees_celsius_count_differences_as_kelvins_do(one: str, other: str) -> None:
+    assert parse_unit(one).same_as(parse_unit(other))
+    assert parse_quantity(f"3 {one}").to(other) == 3.0
+
+
+def test_what_a_gain_per_kelvin_makes_of_a_temperature_in_celsius_has_no_temperature_left() -> None:
+    made = parse_unit("%/K") * parse_unit("degC")
+    assert made.same_as(parse_unit("%"))
+    assert made.symbol == "%"
+    assert (parse_unit("K/s") * parse_unit("s")).symbol == "K"
+    assert (parse_unit("degC") / parse_unit("s") * parse_unit("s")).same_as(parse_unit("degC"))
 
 
 @pytest.mark.parametrize(

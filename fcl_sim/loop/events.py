@@ -17,10 +17,24 @@ the ends of steps alone: the step that is asked for bounds what is not seen.
 from fcl_sim.jit import flat, inlined, u
 from fcl_sim.loop.layout import CHATTERS, DIRECTIONS_AT, EVENTS, STATES
 from fcl_sim.loop.step import attempt
-from fcl_sim.loop.work import ARMED, HAPPENED, INDEX, MODE, STATUS, Floats, Ints, Plant, Work, row_of
+from fcl_sim.loop.work import (
+    ARMED,
+    HAPPENED,
+    INDEX,
+    LAST_EVENT,
+    MODE,
+    STATUS,
+    Floats,
+    Ints,
+    Plant,
+    Work,
+    row_of,
+)
 
 MAX_EVENTS = 1_000
-"""Events between two writes beyond which a plant chatters."""
+"""Events at one time beyond which a plant chatters."""
+APART = 1e-9
+"""Seconds to which times of events are told apart."""
 RESOLUTION = 1e-13
 """To what part of a step an event is located."""
 
@@ -117,6 +131,9 @@ def settle(plant: Plant, work: Work, t: float, event: int) -> bool:
     A transition may set x and give a new mode, in which the events' functions are taken anew.
     """
     progress, g0 = work.progress, work.g0
+    if t - work.rows[u(LAST_EVENT)] > APART:
+        progress[u(HAPPENED)] = 0
+    work.rows[u(LAST_EVENT)] = t
     while event >= 0:
         progress[u(MODE)] = plant.transition(event, t, work.x, work.held, work.p, progress[u(MODE)])
         progress[u(ARMED)] &= ~(1 << event)

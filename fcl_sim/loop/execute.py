@@ -136,7 +136,7 @@ def further_with(families: frozenset[int]) -> Entry:
         elif has_devices and family == 10:
             devices.execute(code, row)
 
-    return Entry(execute_further, signature(*_FURTHER))
+    return Entry(execute_further, signature(*_FURTHER), flat=True)
 
 
 def further_for(opcodes: list[int]) -> Entry:

@@ -18,15 +18,18 @@ from fcl_sim.loop.layout import (
     EXPONENT,
     FINISHED,
     FIXED_STEP,
+    RUN_BUDGET_SPENT,
     STATES,
     STEP_AT,
     STEP_TOO_SMALL,
 )
 from fcl_sim.loop.step import attempt, error_of, keep, worst_state
-from fcl_sim.loop.work import GUESS, HAPPENED, INDEX, MODE, STATUS, Plant, Work, row_of
+from fcl_sim.loop.work import GUESS, INDEX, MODE, STATUS, STEPS, Plant, Work, row_of
 
 MAX_STEPS = 1_000_000
 """Steps between two writes beyond which an integration is given up."""
+MAX_STEPS_OF_RUN = 1_000_000_000
+"""Steps beyond which a run is."""
 
 SAFETY, SHRINK, GROW = 0.9, 0.2, 5.0
 NO_POWER_BELOW = (SAFETY / GROW) ** 5
@@ -80,7 +83,6 @@ def begin(plant: Plant, work: Work, t: float) -> bool:
     """Take up the integration after a write: what the write set off happens first; return whether it ends."""
     progress = work.progress
     progress[u(STATUS)] = FINISHED
-    progress[u(HAPPENED)] = 0
     if work.ints[u(EVENTS)] > 0:
         event = look(plant, work, t, work.x, work.g0)
         rearm(work.ints, work.g0, progress)
@@ -91,21 +93,35 @@ def begin(plant: Plant, work: Work, t: float) -> bool:
 
 
 @inlined
+def afforded(work: Work, steps: int, h: float) -> bool:
+    """Count the steps between two writes, of which the last was h long; return whether the run may go on."""
+    progress = work.progress
+    progress[u(STEPS)] += steps
+    if progress[u(STEPS)] <= MAX_STEPS_OF_RUN:
+        return True
+    progress[u(STATUS)] = RUN_BUDGET_SPENT
+    progress[u(INDEX)] = worst_state(work, h)
+    return False
+
+
+@inlined
 def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
     """Advance x from t by `length` seconds, the inputs held; return whether it could.
 
     On failure `progress` says how and of what.
     """
     ints, progress = work.ints, work.progress
-    adaptive = ints[u(ADAPTIVE)] == 1
+    states, adaptive = ints[u(STATES)], ints[u(ADAPTIVE)] == 1
     if not begin(plant, work, t):
         return False
     done = h = 0.0
-    for _ in range(MAX_STEPS):
-        keep(work, 0)
+    for step in range(MAX_STEPS):
+        keep(work, states, 0)
         wanted = work.rows[u(GUESS)] if adaptive else work.floats[u(ints[u(STEP_AT)] + FIXED_STEP)]
-        pieces = max(1.0, ceil((length - done) / wanted - 1e-9))
-        h = (length - done) / pieces
+        h = length - done
+        pieces = max(1.0, ceil(h / wanted - 1e-9)) if h > wanted else 1.0
+        if pieces > 1.0:
+            h /= pieces
         attempt(plant, work, t + done, h)
         if adaptive and not accepted(work, t + done, h, wanted):
             if progress[u(STATUS)] != FINISHED:
@@ -126,7 +142,7 @@ def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
         if event >= 0 and not settle(plant, work, t + done, event):
             return False
         if done >= length:
-            return True
+            return afforded(work, step + 1, h)
         if event >= 0 or not adaptive:
             plant.dynamics(t + done, work.x, work.held, work.p, progress[u(MODE)], work.dx)
     progress[u(STATUS)] = BUDGET_SPENT

@@ -84,8 +84,10 @@ BLEW_UP = 2
 STEP_TOO_SMALL = 3
 """The step that the tolerance needs has vanished; `index` is the worst state."""
 CHATTERS = 4
-"""Too many events between two writes; `index` is the last event."""
+"""Too many events at one time; `index` is the last event."""
 BUDGET_SPENT = 5
 """Too many steps between two writes; `index` is the worst state."""
+RUN_BUDGET_SPENT = 7
+"""Too many steps in a run; `index` is the worst state."""
 OUTSIDE = 6
 """Not an end: a block in Python is to be executed; `index` is where its row begins."""

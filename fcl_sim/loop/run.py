@@ -1,5 +1,7 @@
 """Diagram → Trace: the whole way of one run."""
 
+from time import perf_counter
+
 import numpy as np
 
 from fcl_sim.loop import layout
@@ -21,8 +23,13 @@ REASONS = {
     layout.STEP_TOO_SMALL: "needs steps too small for the clock to meet the tolerance",
     layout.CHATTERS: "happens over and over without time passing",
     layout.BUDGET_SPENT: "needs more than a million steps between two writes",
+    layout.RUN_BUDGET_SPENT: "has needed a thousand million steps, and the run is not at its end",
 }
 """How a run can end early, in words that follow the name of a signal, state or event."""
+
+
+FIRST_PIECE, MOST_SCANS, PIECE_SECONDS = 16, 1_000_000, 0.25
+"""Scans that are run before Python looks up, at first and at most, and the seconds that they should take."""
 
 
 def run(diagram: Diagram) -> Trace:
@@ -59,12 +66,24 @@ def proceed(tape: Tape, state: RunState, record: Values, until: int | None = Non
     views = (tape.floats.view(np.float32), state.memory.view(np.float32))
     buffers = (tape.ints, tape.floats, state.memory, *views, state.x, tape.p, state.progress, state.rows)
     times = (tape.starts, tape.schedule.writes)
+    piece = FIRST_PIECE
     while state.scan < last and not state.over:
         if state.scan in tape.schedule.cold and not state.progress[ROW]:
             restart_cold(tape, state)
-        stop = min((each for each in tape.schedule.cold if state.scan < each < last), default=last)
+        stop = min(last, state.scan + piece)
+        stop = min((each for each in tape.schedule.cold if state.scan < each < stop), default=stop)
+        begun = perf_counter()
         while simulate(functions, *buffers, *times, record, stop) == layout.OUTSIDE:
             execute_outside(tape, state)
+        piece = next_piece(piece, perf_counter() - begun)
+
+
+def next_piece(scans: int, seconds: float) -> int:
+    """Return how many scans to run next without coming back to Python, after so many took so long.
+
+    It is for the user who interrupts a run: compiled code does not hear of that.
+    """
+    return max(1, min(MOST_SCANS, int(scans * min(8.0, PIECE_SECONDS / max(seconds, 1e-9)))))
 
 
 def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:

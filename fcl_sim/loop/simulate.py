@@ -1,14 +1,15 @@
 """The scan, over and over: read, execute, write, integrate. One kernel for every tape and plant."""
 
 from math import isfinite
+from typing import NamedTuple
 
 import numpy as np
 
-from fcl_sim.jit import F4, FF, F, I, entry, i8, inlined, signature, u
-from fcl_sim.loop.blocks.fuzzy import Singles
+from fcl_sim.jit import F4, FF, F, I, entry, flat, i8, inlined, signature, u
+from fcl_sim.loop.blocks.fuzzy import Fuzzy, Singles
 from fcl_sim.loop.events import rearm
 from fcl_sim.loop.exact import advance_exactly, send
-from fcl_sim.loop.execute import execute
+from fcl_sim.loop.execute import Further, execute
 from fcl_sim.loop.integrate import advance
 from fcl_sim.loop.layout import (
     CYCLE,
@@ -49,6 +50,7 @@ from fcl_sim.loop.work import (
     Work,
 )
 from fcl_sim.plant.declaration import START
+from fcl_sim.plant.functions import PlantFunction
 
 
 @inlined
@@ -119,6 +121,74 @@ def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, write: 
     return True
 
 
+class Buffers(NamedTuple):
+    """What the scans of a run work in besides the integration: the blocks, and the record.
+
+    `y` are the plant's outputs in `memory`; the others as `simulate` gets them.
+    """
+
+    memory: Floats
+    constants: Singles
+    singles: Singles
+    y: Floats
+    starts: Ints
+    writes: Ints
+    record: Floats
+
+
+class Called(NamedTuple):
+    """The functions that a scan calls besides those of the integration."""
+
+    outputs: PlantFunction
+    sample: PlantFunction
+    further: Further
+    long: Fuzzy
+    real: Fuzzy
+
+
+@flat
+def scan_on(plant: Plant, called: Called, work: Work, buffers: Buffers, until: int) -> int:
+    """Run the scans up to `until`, as `simulate` does; flat, so that no scan counts references."""
+    ints, floats, progress, memory = work.ints, work.floats, work.progress, buffers.memory
+    nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
+    if progress[u(SCAN)] == 0 and progress[u(ROW)] == 0:
+        work.rows[u(GUESS)] = nominal
+        begin_run(plant, work, buffers.starts[u(0)] / 1e9)
+    for scan in range(progress[u(SCAN)], until):
+        start = buffers.starts[u(scan)]
+        write = buffers.writes[u(scan)]
+        at = progress[u(ROW)]
+        if at == 0:
+            if ints[u(SAMPLED)] == 1:
+                called.sample(start / 1e9, work.x, work.p)
+            called.outputs(start / 1e9, work.x, work.held, work.p, progress[u(MODE)], buffers.y)
+            at = ints[u(ROWS_AT)]
+        late = ints[u(MEASURED)] == 1 and scan > 0
+        cycle = (start - buffers.starts[u(scan - 1)]) / 1e9 if late else nominal
+        here = Row(ints, floats, memory, at, cycle, start / 1e9, scan)
+        at = execute(here, called.further, called.long, called.real, buffers.constants, buffers.singles)
+        if at != ints[u(ROWS_END)]:
+            progress[u(ROW)] = at + ints[u(at + ROW_LENGTH)]
+            progress[u(INDEX)] = at
+            return OUTSIDE
+        progress[u(ROW)] = 0
+        if write == start:
+            write_outputs(ints, floats, memory)
+        unsound = first_unsound(ints, memory)
+        if unsound >= 0:
+            progress[u(STATUS)] = NOT_FINITE
+            progress[u(INDEX)] = unsound
+            break
+        record_sample(ints, memory, buffers.record[u(scan)])
+        progress[u(SAMPLES)] = scan + 1
+        if scan < ints[u(SCANS)] and not integrate_scan(
+            plant, work, memory, start, write, buffers.starts[u(scan + 1)]
+        ):
+            break
+        progress[u(SCAN)] = scan + 1
+    return int(progress[u(STATUS)])
+
+
 @entry(signature(i8, LINKED, I, F, F, F4, F4, F, F, I, F, I, I, FF, i8))
 def simulate(
     functions: Linked,
@@ -150,7 +220,6 @@ def simulate(
     y = memory[0 : ints[u(PLANT_OUTPUTS)]]
     held = memory[first_input : first_input + ints[u(PLANT_INPUTS)]]
     states, count = ints[u(STATES)], ints[u(EVENTS)]
-    nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
     dx, trial, middle, g0, g1, gm = (
         np.zeros(states),
         np.zeros(states),
@@ -160,40 +229,7 @@ def simulate(
         np.zeros(count),
     )
     plant = Plant(functions.dynamics, functions.events, functions.transition)
-    outputs, sample, further = functions.outputs, functions.sample, functions.further
+    called = Called(functions.outputs, functions.sample, functions.further, functions.long, functions.real)
     work = Work(ints, floats, x, held, p, progress, rows, dx, trial, middle, g0, g1, gm)
-    if progress[u(SCAN)] == 0 and progress[u(ROW)] == 0:
-        rows[u(GUESS)] = nominal
-        begin_run(plant, work, starts[u(0)] / 1e9)
-    for scan in range(progress[u(SCAN)], until):
-        start = starts[u(scan)]
-        at = progress[u(ROW)]
-        if at == 0:
-            if ints[u(SAMPLED)] == 1:
-                sample(start / 1e9, x, p)
-            outputs(start / 1e9, x, held, p, progress[u(MODE)], y)
-            at = ints[u(ROWS_AT)]
-        late = ints[u(MEASURED)] == 1 and scan > 0
-        cycle = (start - starts[u(scan - 1)]) / 1e9 if late else nominal
-        here = Row(ints, floats, memory, at, cycle, start / 1e9, scan)
-        at = execute(here, further, functions.long, functions.real, constants, singles)
-        if at != ints[u(ROWS_END)]:
-            progress[u(ROW)] = at + ints[u(at + ROW_LENGTH)]
-            progress[u(INDEX)] = at
-            return OUTSIDE
-        progress[u(ROW)] = 0
-        if writes[u(scan)] == start:
-            write_outputs(ints, floats, memory)
-        unsound = first_unsound(ints, memory)
-        if unsound >= 0:
-            progress[u(STATUS)] = NOT_FINITE
-            progress[u(INDEX)] = unsound
-            break
-        record_sample(ints, memory, record[scan])
-        progress[u(SAMPLES)] = scan + 1
-        if scan < ints[u(SCANS)] and not integrate_scan(
-            plant, work, memory, start, writes[u(scan)], starts[u(scan + 1)]
-        ):
-            break
-        progress[u(SCAN)] = scan + 1
-    return int(progress[u(STATUS)])
+    buffers = Buffers(memory, constants, singles, y, starts, writes, record)
+    return scan_on(plant, called, work, buffers, until)

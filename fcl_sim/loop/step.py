@@ -11,10 +11,9 @@ from fcl_sim.loop.work import BASE_AT, MODE, Floats, Plant, Work, row_of
 
 
 @inlined
-def keep(work: Work, derivative: int) -> None:
+def keep(work: Work, states: int, derivative: int) -> None:
     """Copy dx into the row of a derivative."""
     dx, rows = work.dx, work.rows
-    states = work.ints[u(STATES)]
     at = row_of(derivative, states)
     for i in range(0, states, 4):
         rows[u(at + i)] = dx[u(i)]
@@ -24,10 +23,12 @@ def keep(work: Work, derivative: int) -> None:
 
 
 @inlined
-def shift(work: Work, origin: Floats, origin_at: int, weight: float, dx: Floats, dx_at: int) -> None:
+def shift(
+    work: Work, states: int, origin: Floats, origin_at: int, weight: float, dx: Floats, dx_at: int
+) -> None:
     """Set trial = origin + weight * dx, these two beginning at words of their buffers."""
     trial = work.trial
-    for i in range(0, work.ints[u(STATES)], 4):
+    for i in range(0, states, 4):
         trial[u(i)] = origin[u(origin_at + i)] + weight * dx[u(dx_at + i)]
         trial[u(i + 1)] = origin[u(origin_at + i + 1)] + weight * dx[u(dx_at + i + 1)]
         trial[u(i + 2)] = origin[u(origin_at + i + 2)] + weight * dx[u(dx_at + i + 2)]
@@ -35,10 +36,9 @@ def shift(work: Work, origin: Floats, origin_at: int, weight: float, dx: Floats,
 
 
 @inlined
-def gather(work: Work, h: float, row: int, count: int) -> None:
+def gather(work: Work, states: int, h: float, row: int, count: int) -> None:
     """Set base = x + h * (the first `count` derivatives, weighted by the row of the scheme)."""
     floats, x, rows = work.floats, work.x, work.rows
-    states = work.ints[u(STATES)]
     for i in range(0, states, 4):
         s0 = s1 = s2 = s3 = 0.0
         at = row_of(0, states) + i
@@ -64,25 +64,25 @@ def attempt(plant: Plant, work: Work, t: float, h: float) -> None:
     left as the derivative at the solution.
     """
     ints, floats = work.ints, work.floats
-    stages = ints[u(STAGES)]
+    stages, states = ints[u(STAGES)], ints[u(STATES)]
     nodes = ints[u(SCHEME_AT)]
     adaptive = ints[u(ADAPTIVE)] == 1
     row = nodes + stages + 1
-    shift(work, work.x, 0, h * floats[u(row)], work.rows, row_of(0, ints[u(STATES)]))
+    shift(work, states, work.x, 0, h * floats[u(row)], work.rows, row_of(0, states))
     for stage in range(1, stages + 1):
         row += stage
         if stage < stages:
             # All of the next point but the derivative to come: work that need not wait for it.
-            gather(work, h, row, stage)
+            gather(work, states, h, row, stage)
         if stage < stages or adaptive:
             at = t + floats[u(nodes + stage)] * h
             plant.dynamics(at, work.trial, work.held, work.p, work.progress[u(MODE)], work.dx)
-            keep(work, stage)
+            keep(work, states, stage)
         if stage < stages:
-            shift(work, work.rows, BASE_AT, h * floats[u(row + stage)], work.dx, 0)
+            shift(work, states, work.rows, BASE_AT, h * floats[u(row + stage)], work.dx, 0)
 
 
-@inlined
+@flat
 def error_of_state(work: Work, h: float, i: int) -> float:
     """Return the error estimate of state i in a step, in units of the tolerance."""
     ints, floats = work.ints, work.floats
@@ -100,12 +100,34 @@ def error_of_state(work: Work, h: float, i: int) -> float:
 @inlined
 def error_of(work: Work, h: float) -> float:
     """Return the largest error estimate of a step in units of the tolerance, infinite where one is NaN."""
+    ints, floats, x, trial, rows = work.ints, work.floats, work.x, work.trial, work.rows
+    stages, states, scales = ints[u(STAGES)], ints[u(STATES)], ints[u(SCALES_AT)]
+    weights = ints[u(SCHEME_AT)] + (stages + 1) + stages * (stages + 1) // 2
+    rtol = floats[u(ints[u(STEP_AT)] + RTOL)]
     worst = 0.0
-    for i in range(work.ints[u(TRUE_STATES)]):
-        error = error_of_state(work, h, i)
-        if not error <= worst:
-            worst = inf if isnan(error) else error
-    return worst
+    for i in range(0, states, 4):
+        e0 = e1 = e2 = e3 = 0.0
+        at = row_of(0, states) + i
+        for j in range(stages + 1):
+            weight = floats[u(weights + j)]
+            e0 += weight * rows[u(at)]
+            e1 += weight * rows[u(at + 1)]
+            e2 += weight * rows[u(at + 2)]
+            e3 += weight * rows[u(at + 3)]
+            at += states
+        s = scales + i
+        e0 = fabs(h * e0) / (rtol * (floats[u(s)] + max(fabs(x[u(i)]), fabs(trial[u(i)]))))
+        e1 = fabs(h * e1) / (rtol * (floats[u(s + 1)] + max(fabs(x[u(i + 1)]), fabs(trial[u(i + 1)]))))
+        e2 = fabs(h * e2) / (rtol * (floats[u(s + 2)] + max(fabs(x[u(i + 2)]), fabs(trial[u(i + 2)]))))
+        e3 = fabs(h * e3) / (rtol * (floats[u(s + 3)] + max(fabs(x[u(i + 3)]), fabs(trial[u(i + 3)]))))
+        worst = greater(greater(worst, e0), greater(e1, greater(e2, e3)))
+    return inf if isnan(worst) else worst
+
+
+@inlined
+def greater(one: float, other: float) -> float:
+    """Return the greater of two numbers, NaN where one of them is."""
+    return one if one > other or isnan(one) else other
 
 
 @flat

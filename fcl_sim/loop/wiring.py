@@ -55,12 +55,14 @@ def wire(diagram: Diagram) -> Wiring:
     return Wiring(diagram=diagram, order=order, units=units, sources=sources, settings=settings)
 
 
-def wires_of(diagram: Diagram) -> Iterator[Wire]:
-    """Yield every wire of a diagram."""
+def _ends_of(diagram: Diagram) -> Iterator[tuple[Wire, str]]:
+    """Yield every wire of a diagram with the end that reads it, in words."""
+    plant = diagram.plant
     for node in diagram.nodes:
-        yield from node.inputs.values()
-    yield from diagram.plant.inputs.values()
-    yield from diagram.aliases.values()
+        yield from ((each, f"`{port}` of `{node.name}`") for port, each in node.inputs.items())
+    for name, each in plant.inputs.items():
+        yield each, f"the plant's input `{plant.name}.{name}`"
+    yield from ((each, f"`{name}`") for name, each in diagram.aliases.items())
 
 
 def _raise(faults: list[Diagnostic]) -> None:
@@ -69,13 +71,16 @@ def _raise(faults: list[Diagnostic]) -> None:
 
 
 def _declared_signals(diagram: Diagram, faults: list[Diagnostic]) -> tuple[str, ...]:
-    names = list(diagram.plant.signals)
+    owners = dict.fromkeys(diagram.plant.signals, f"the plant `{diagram.plant.name}`")
+    owners |= {name: f"the connection from `{each.source}`" for name, each in diagram.aliases.items()}
     for node in diagram.nodes:
         for name in signals_of(node):
-            if name in names or name in diagram.aliases:
-                faults.append(fault("WIR101", f"there are two signals called `{name}`", node.span))
-            names.append(name)
-    return tuple(names)
+            if name in owners:
+                message = f"there are two signals called `{name}`: of {owners[name]} and of `{node.name}`"
+                hint = "a signal has one source: call one of the two otherwise"
+                faults.append(fault("WIR101", message, node.span, hint))
+            owners[name] = f"`{node.name}`"
+    return tuple(name for name in owners if name not in diagram.aliases)
 
 
 def _resolve_aliases(diagram: Diagram, signals: tuple[str, ...], faults: list[Diagnostic]) -> dict[str, Wire]:
@@ -97,11 +102,13 @@ def _unknown_sources(
     diagram: Diagram, signals: tuple[str, ...], sources: Mapping[str, Wire]
 ) -> Iterator[Diagnostic]:
     known = {*signals, *sources}
-    for each in wires_of(diagram):
+    there_are = f"there are {listed(sorted(known))}"
+    for each, reader in _ends_of(diagram):
         if each.source not in known:
             near = nearest(each.source, known) or nearest(each.source.rpartition(".")[2], known)
-            hint = f"did you mean `{near}`?" if near else f"there are {listed(sorted(known))}"
-            yield fault("WIR102", f"there is no signal called `{each.source}`", each.span, hint)
+            hint = f"did you mean `{near}`? {there_are}" if near else there_are
+            message = f"there is no signal called `{each.source}`, which {reader} reads"
+            yield fault("WIR102", message, each.span, hint)
 
 
 def _unfit_blocks(diagram: Diagram) -> Iterator[Diagnostic]:

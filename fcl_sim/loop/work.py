@@ -46,16 +46,18 @@ class Work(NamedTuple):
     gm: Floats
 
 
-MODE, ARMED, STATUS, INDEX, HAPPENED, SCAN, ROW, SAMPLES, PROGRESS = range(9)
+MODE, ARMED, STATUS, INDEX, HAPPENED, SCAN, ROW, SAMPLES, STEPS, PROGRESS = range(10)
 """Words of `progress`, and their number.
 
 Mode; a bit per event, set while it is armed; how the integration ended and of
-what; events since the last write; the next scan; the row at which it goes on,
-0 where it has not begun; samples recorded. A linear plant has further words behind them (`loop.exact`).
+what; events at one time, so far; the next scan; the row at which it goes on,
+0 where it has not begun; samples recorded; steps of the integration. A linear
+plant has further words behind them (`loop.exact`).
 """
 
-GUESS, BASE_AT = 0, 4
-"""Words of `rows`: the step to try next in seconds; from BASE_AT on rows of `states` numbers.
+GUESS, LAST_EVENT, BASE_AT = 0, 1, 4
+"""Words of `rows`: the step to try next, and the time of the last event, in seconds; from BASE_AT on
+rows of `states` numbers.
 
 The first is the base, a point made ready but for its newest derivative; the
 others are the derivatives of a step.

@@ -148,22 +148,18 @@ def _values(setup: PlantSetup, model: LinearModel, units: Mapping[str, Unit], fa
         if given is None:
             values |= {name: ()} if form == "roots" else {}
         elif form == "quantity":
-            values[name] = converted(given, _unit_of(name, given, units), f"`{name}`", faults)
+            values[name] = converted(given, _unit_of(name, units), f"`{name}`", faults)
         else:
             values[name] = _plain(name, form, given, faults)
     return values
 
 
-def _unit_of(name: str, entry: Entry, units: Mapping[str, Unit]) -> Unit:
-    """Return the unit of a quantity among the parameters; a gain may count differences of degC in K."""
+def _unit_of(name: str, units: Mapping[str, Unit]) -> Unit:
+    """Return the unit of a quantity among the parameters; a gain counts differences of degC in K."""
     if name != "gain" or len(units) != 2:
         return parse_unit("" if name == "gain" else "s")
     given, result = units.values()
-    gain, apart = (each / given for each in (result, parse_unit(result.symbol.replace("degC", "K"))))
-    try:
-        return apart if parse_quantity(entry.value).unit.commensurate(apart) else gain
-    except UnitError:
-        return gain
+    return parse_unit(result.symbol.replace("degC", "K")) / given
 
 
 EXAMPLES: Mapping[str, str] = MappingProxyType(
@@ -294,7 +290,7 @@ def _told(
         if name == DELAY:
             yield name, (delay / 1e9, "s")
         elif LINEAR_MODELS[str(setup.model.value)].parameters[name] == "quantity":
-            unit = _unit_of(name, entry, units)
+            unit = _unit_of(name, units)
             yield name, (parse_quantity(entry.value).to(unit), unit.symbol)
         else:
             yield from _each(name, entry)

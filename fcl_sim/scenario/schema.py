@@ -256,7 +256,7 @@ def block_model(block: BlockType) -> type[Table]:
     fields: dict[str, Any] = {"type": (Literal[block.name], ...)}
     for port in block.inputs:
         default = ... if port.default is None else None
-        fields[port.name] = (WireText, Field(default, description=f"signal: {port.meaning}"))
+        fields[port.name] = (WireText, Field(default, description=f"a signal: {port.meaning}"))
     for each in block.parameters:
         written = choice_of(each.choices) if each.kind == "choice" else PARAMETERS[each.kind]
         default = ... if each.default is None else _finite(each.default)

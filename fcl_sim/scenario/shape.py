@@ -130,7 +130,7 @@ def _missing(model: type[BaseModel], owner: Entry, owner_name: str, location: Lo
     name = str(location[-1])
     fields = _fields(model, location[:-1])
     field = fields.get(name)
-    hint = f"{name}: {field.description}" if field is not None and field.description else ""
+    hint = f"`{name}` is {field.description}" if field is not None and field.description else ""
     if owner.key.end > owner.key.start:
         return finding("SCN202", f"{owner_name} has no `{name}`", owner.key, hint)
     place = Place(file=owner.key.source.name)

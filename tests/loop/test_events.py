@@ -8,7 +8,11 @@ import pytest
 from fcl_sim.jit import compiled
 from fcl_sim.loop import integrate
 from fcl_sim.loop.diagram import Integration
-from fcl_sim.loop.run import run
+from fcl_sim.loop.run import MOST_SCANS, empty_record, next_piece, proceed, run, trace_of
+from fcl_sim.loop.state import initial_state
+from fcl_sim.loop.tape import lower
+from fcl_sim.loop.wiring import wire
+from fcl_sim.loop.work import STEPS
 from tests.loop.diagrams import alone, plant_of, timing
 
 ARC = """
@@ -125,6 +129,20 @@ def test_a_relay_in_a_plant_switches_at_the_times_of_its_closed_form(tmp_path, s
     assert trace["plant.last"] == pytest.approx(last, abs=1e-9)
 
 
+def test_events_that_follow_each_other_fast_are_no_chattering_however_long_the_scan(tmp_path):
+    # A thousand times as fast: some 4500 switches between two writes.
+    text = SWITCHED.replace(
+        "(2.0 if mode == 0 else 0.0) - x[0]", "1000.0 * ((2.0 if mode == 0 else 0.0) - x[0])"
+    )
+    trace = run(alone(plant_of(tmp_path, text), timing(5000.0, 10.0), Integration(rtol=1e-11)))
+    assert trace.fault is None
+    switches = 1 + int((1000.0 * 10.0 - np.log(4.0)) / np.log(3.0))
+    assert trace["plant.count"][-1] == switches
+    assert trace["plant.last"][-1] == pytest.approx(
+        (np.log(4.0) + np.log(3.0) * (switches - 1)) / 1000.0, abs=1e-9
+    )
+
+
 FALL = """
 PLANT = Plant(
     name="fall", title="falls ever faster into a point",
@@ -168,3 +186,27 @@ def test_steps_without_end_are_ended_by_a_budget(tmp_path, monkeypatch, integrat
         trace.fault.reason == "the state `rest` of `plant` needs more than a million steps between two writes"
     )
     assert (trace.fault.tick, trace.time.tolist()) == (0, [0.0])
+
+
+def test_a_run_that_has_used_up_its_steps_is_ended_wherever_it_stands(tmp_path):
+    text = FALL.replace("-1.0 / x[0]", "sin(10.0 * t) * x[0]")
+    tape = lower(wire(alone(plant_of(tmp_path, text), timing(30.0, 3.0))))
+    state, record = initial_state(tape), empty_record(tape)
+    proceed(tape, state, record, 50)
+    assert 50 <= state.progress[STEPS] <= 500
+    state.progress[STEPS] = integrate.MAX_STEPS_OF_RUN - 3
+    proceed(tape, state, record)
+    trace = trace_of(tape, state, record)
+    assert trace.fault is not None
+    assert trace.fault.signal == "plant.rest"
+    assert trace.fault.reason.endswith("has needed a thousand million steps, and the run is not at its end")
+    assert 51 <= trace.ticks.size <= 54
+    assert np.isfinite(trace.values).all()
+
+
+@pytest.mark.parametrize(
+    ("seconds", "least", "most"), [(0.0, 16, 128), (1e-3, 16, 128), (10.0, 1, 1), (0.25, 16, 16)]
+)
+def test_python_looks_up_every_quarter_of_a_second(seconds, least, most):
+    assert least <= next_piece(16, seconds) <= most
+    assert next_piece(10**6, 0.0) == MOST_SCANS

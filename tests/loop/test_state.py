@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from fcl_sim.loop.blocks.setting import Text
-from fcl_sim.loop.diagram import Node, Overruns, Restart, Wire
+from fcl_sim.loop.diagram import FuzzyNode, Node, Overruns, Restart, Wire
 from fcl_sim.loop.run import empty_record, proceed, run, run_tape, trace_of
 from fcl_sim.loop.state import initial_state
 from fcl_sim.loop.tape import lower
@@ -14,6 +14,7 @@ from fcl_sim.loop.wiring import wire
 from fcl_sim.units import parse_quantity
 from tests.loop.block_loops import node
 from tests.loop.diagrams import crane, timing
+from tests.loop.python_mode import every_block
 
 COUNTER = "def step(inputs, state, t):\n    state['n'] = state.get('n', 0) + 1\n    return state['n']\n"
 
@@ -55,9 +56,32 @@ def disturbed_loop():
         node("drive", "actuator", {"input": "noise"}, stiction="1 m", rate="3 m/s", backlash="0.5 m"),
         node("lost", "fault", {"input": "sensor"}, kind="dropout", chance=0.3, **begins),
         node("old", "fault", {"input": "lost"}, kind="delayed", delay="150 ms"),
+        node("mean", "moving_average", {"input": "sensor"}, scans=9),
+        node("swing", "sine", amplitude="0.2 s", frequency="0.3 Hz", offset="0.3 s"),
+        node("pipe", "dead_time", {"input": "sensor", "time": "swing"}, longest="0.6 s"),
         Node(name="count", type="python", parameters=own),
     )
-    return replace(diagram, nodes=(*diagram.nodes, *nodes), timing=disturbed)
+    (rules,) = (each for each in diagram.nodes if isinstance(each, FuzzyNode))
+    in_real = replace(rules, name="in_real", arithmetic="REAL")
+    return replace(diagram, nodes=(*diagram.nodes, in_real, *nodes), timing=disturbed)
+
+
+def every_block_disturbed(folder):
+    """Every case of the blocks' references beside each other, with jitter, overruns and restarts."""
+    diagram = every_block(folder)
+    disturbed = replace(
+        diagram.timing,
+        jitter=3 * 10**6,
+        latency=2 * 10**6,
+        seed=5,
+        measured=True,
+        overruns=Overruns(policy="late", listed=((7, 50 * 10**6),), chance=0.1, longest=47 * 10**6),
+        restarts=(
+            Restart(at=1_230_000_000, kind="cold"),
+            Restart(at=3_000_000_000, kind="warm", lasts=70 * 10**6),
+        ),
+    )
+    return replace(diagram, timing=disturbed)
 
 
 def in_pieces(tape, stops):
@@ -91,6 +115,17 @@ def test_a_run_in_pieces_is_the_run_in_one_whatever_disturbs_it(every):
     assert np.array_equal(pieces.values, whole.values)
     assert np.array_equal(pieces.ticks, whole.ticks)
     assert pieces.incidents == whole.incidents
+
+
+def test_a_run_of_every_block_in_pieces_is_the_run_in_one(tmp_path):
+    tape = lower(wire(every_block_disturbed(tmp_path)))
+    whole = run_tape(tape)
+    assert whole.fault is None
+    assert len(whole.incidents) > 10
+    for every in (1, 37):
+        pieces = in_pieces(tape, range(0, tape.starts.size, every))
+        assert np.array_equal(pieces.values, whole.values)
+        assert np.array_equal(pieces.ticks, whole.ticks)
 
 
 def test_a_saved_state_is_left_alone_by_the_run_that_goes_on():

@@ -40,12 +40,26 @@ def test_the_crane_fits_together_in_the_order_of_its_signals(diagram):
     assert wiring.units["controller.rules.power"].symbol == "kW"
 
 
-def test_an_unknown_signal_is_refused_with_the_nearest_name(diagram):
+def test_an_unknown_signal_is_refused_with_who_reads_it_the_nearest_name_and_what_there_is(diagram):
     inputs = {"distance": Wire("controler.predicted"), "angle": Wire("crane.angle")}
     assert refusal(with_node(diagram, "controller.rules", inputs=inputs)) == (
-        "error[WIR102]: there is no signal called `controler.predicted`\n"
-        "  hint: did you mean `controller.predicted`?"
+        "error[WIR102]: there is no signal called `controler.predicted`, "
+        "which `distance` of `controller.rules` reads\n"
+        "  hint: did you mean `controller.predicted`? there are controller.predicted, "
+        "controller.rules.power, controller.speed, crane.angle, crane.distance, crane.force, crane.position, crane.power … (3 more)"
     )
+
+
+def test_a_signal_that_two_drive_is_refused_with_both(diagram):
+    twin = replace(diagram.nodes[0], name="crane.angle")
+    assert "there are two signals called `crane.angle`: of the plant `crane` and of `crane.angle`" in refusal(
+        replace(diagram, nodes=(*diagram.nodes, twin))
+    )
+    aliases = {"controller.speed": Wire("crane.speed")}
+    assert (
+        "there are two signals called `controller.speed`: "
+        "of the connection from `crane.speed` and of `controller.speed`"
+    ) in refusal(replace(diagram, aliases=aliases))
 
 
 def test_a_unit_of_another_kind_is_refused(diagram):

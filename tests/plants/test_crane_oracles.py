@@ -113,3 +113,14 @@ def test_a_trolley_under_constant_acceleration_swings_between_zero_and_twice_the
     lowest = np.radians(trace["crane.angle"].min())
     assert lowest == pytest.approx(-2 * np.arctan(acceleration / G), rel=1e-4)
     assert trace["crane.angle"].max() <= 1e-6
+
+
+def test_a_constant_force_against_viscous_friction_approaches_its_speed_exponentially():
+    drive = {"base_speed": 1e3, "maximum_speed": 1e6, "limiter_gain": 1e9, "adhesion": 10.0}
+    friction = 4_000.0
+    parameters = {**FREE, **drive, "load_mass": 0.0, "viscous_friction": friction}
+    force = 10_000.0
+    start = {"position": 0.0, "drive_force": force}
+    trace = run(crane_alone(timing(10.0, 20.0), parameters, start, power=force))  # kW at vb = 1000 m/s: N
+    expected = force / friction * -np.expm1(-friction / TROLLEY * trace.time)
+    assert np.abs(trace["crane.speed"] - expected).max() <= 1e-10 * force / friction

@@ -81,7 +81,7 @@ def call_real(
         memory[u(head + i)] = singles[u(instance + i)]
 
 
-@entry(signature(*_FUZZY))
+@entry(signature(*_FUZZY), flat=True)
 def evaluate_long(
     ints: Ints,
     floats: Floats,
@@ -94,7 +94,7 @@ def evaluate_long(
     call_long(ints, floats, memory, at, None)
 
 
-@entry(signature(*_FUZZY))
+@entry(signature(*_FUZZY), flat=True)
 def evaluate_long_curved(
     ints: Ints,
     floats: Floats,
@@ -107,7 +107,7 @@ def evaluate_long_curved(
     call_long(ints, floats, memory, at, CURVED)
 
 
-@entry(signature(*_FUZZY))
+@entry(signature(*_FUZZY), flat=True)
 def evaluate_real(
     ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
 ) -> None:
@@ -115,7 +115,7 @@ def evaluate_real(
     call_real(ints, floats, memory, constants, singles, at, None)
 
 
-@entry(signature(*_FUZZY))
+@entry(signature(*_FUZZY), flat=True)
 def evaluate_real_curved(
     ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
 ) -> None:
@@ -123,7 +123,7 @@ def evaluate_real_curved(
     call_real(ints, floats, memory, constants, singles, at, CURVED)
 
 
-@entry(signature(*_FUZZY))
+@entry(signature(*_FUZZY), flat=True)
 def evaluate_nothing(
     ints: Ints, floats: Floats, memory: Floats, constants: Singles, singles: Singles, at: int
 ) -> None:
