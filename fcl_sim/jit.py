@@ -40,7 +40,8 @@ CompileError = errors.NumbaError
 KERNEL_ROOMS = ("arithmetic", "engine", "concept", "plant", "loop")
 """What a compiled kernel can come from, relative to the package; the digest covers all of it."""
 
-KEPT_FOLDERS = 12
+KEPT_FOLDERS = 24
+"""Folders of the cache, one for each plant and one for all else, of which the last used are kept."""
 
 OPTIONS = {"nogil": True, "error_model": "numpy"}
 """How kernels are compiled."""
@@ -281,6 +282,7 @@ def cache_folder(salt: str = "") -> Path | None:
         if not folder.is_dir():
             folder.mkdir(parents=True, exist_ok=True)
             _forget_old(home)
+        os.utime(folder)  # a folder in use is not an old one, however many plants come and go
         return folder if os.access(folder, os.W_OK) else None
     except OSError:
         return None

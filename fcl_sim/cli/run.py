@@ -121,6 +121,8 @@ def _is_warm() -> bool:
 
 def _print(outcomes: Sequence[Outcome]) -> None:
     print_verdicts(list(summary.rows(outcomes)), console())
+    for ending in summary.endings(outcomes):
+        click.echo(ending)
     if outcomes:
         click.echo(summary.sentence(outcomes))
         print_regressions(outcomes)

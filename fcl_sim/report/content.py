@@ -18,6 +18,7 @@ from fcl_sim.report.setting import differences, milliseconds, parameters, starts
 from fcl_sim.report.words import (
     bound,
     counted,
+    ending,
     exactly,
     joined,
     number,
@@ -213,9 +214,7 @@ def run_text(outcome: Outcome, run: Run) -> str:
         sentences.append(f"{one_line(first.block)} reported {first.name} {times} at {at}.")
     fault = run.trace.fault
     if fault is not None:
-        at = with_unit(fault.tick / 1e9, "s", 9)
-        reason = one_line(fault.reason)
-        sentences.append(f"FAULT: the run ended at {at}, at {one_line(fault.signal)}: {reason}.")
+        sentences.append(f"{ending(fault)}.")
     return " ".join(sentences)
 
 

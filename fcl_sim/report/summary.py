@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fcl_sim.judge.verdict import Status, Verdict, worst
-from fcl_sim.report.words import bound, counted, expectation, value
+from fcl_sim.report.words import bound, counted, ending, expectation, value
 from fcl_sim.testbench import Outcome, Run
 
 
@@ -42,6 +42,14 @@ def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterato
             status=verdict.status,
             note=expectation(verdict),
         )
+
+
+def endings(outcomes: Sequence[Outcome]) -> Iterator[str]:
+    """Yield a sentence for each run that ended early: which, when, at what signal, why."""
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            if run.trace.fault is not None:
+                yield f"{outcome.scenario.name} {run.variant}: {ending(run.trace.fault)}."
 
 
 def overall(outcomes: Sequence[Outcome]) -> Status:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from fcl_sim.judge import wording
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
+from fcl_sim.loop.trace import Fault
 
 MINUS = "\N{MINUS SIGN}"
 NO_BREAK = "\N{NO-BREAK SPACE}"
@@ -106,3 +107,9 @@ def joined(words: Sequence[str]) -> str:
     if len(words) < 2:
         return "".join(words)
     return ", ".join(words[:-1]) + " and " + words[-1]
+
+
+def ending(fault: Fault) -> str:
+    """Return how a run ended early: the time, the signal, the reason."""
+    at = with_unit(fault.tick / 1e9, "s", 9)
+    return f"FAULT: the run ended at {at}, at {one_line(fault.signal)}: {one_line(fault.reason)}"

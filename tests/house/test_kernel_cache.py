@@ -107,10 +107,24 @@ def test_the_settings_of_numba_are_left_alone(package, tmp_path):
 
 
 def test_old_caches_are_forgotten(package, tmp_path):
-    for number in range(20):
+    for number in range(40):
         old = tmp_path / "cache" / f"{number:024}"
         old.mkdir(parents=True)
         os.utime(old, (number, number))
     run(package)
     left = sorted((tmp_path / "cache").iterdir(), key=lambda folder: folder.stat().st_mtime)
-    assert [folder.name[-2:] for folder in left[:-1]] == [f"{number:02}" for number in range(9, 20)]
+    assert [folder.name[-2:] for folder in left[:-1]] == [f"{number:02}" for number in range(17, 40)]
+
+
+def test_a_cache_that_is_used_is_not_old_however_long_ago_it_was_made(package, tmp_path):
+    run(package)
+    (used,) = (tmp_path / "cache").iterdir()
+    os.utime(used, (0, 0))
+    assert run(package) == (2.0, 1)
+    for number in range(1, 24):
+        other = tmp_path / "cache" / f"{number:024}"
+        other.mkdir()
+        os.utime(other, (number, number))
+    (package / "arithmetic" / "inner.py").write_text(INNER.replace("1.0", "41.0"))
+    assert run(package) == (42.0, 0)
+    assert used.is_dir()

@@ -46,7 +46,8 @@ def test_an_unknown_signal_is_refused_with_who_reads_it_the_nearest_name_and_wha
         "error[WIR102]: there is no signal called `controler.predicted`, "
         "which `distance` of `controller.rules` reads\n"
         "  hint: did you mean `controller.predicted`? there are controller.predicted, "
-        "controller.rules.power, controller.speed, crane.angle, crane.distance, crane.force, crane.position, crane.power … (3 more)"
+        "controller.rules.power, controller.speed, "
+        "crane.angle, crane.distance, crane.force, crane.position, crane.power … (3 more)"
     )
 
 

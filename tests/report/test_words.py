@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fcl_sim.judge.verdict import Status
+from fcl_sim.report.summary import endings
 from fcl_sim.report.words import (
     bound,
     counted,
@@ -18,7 +19,7 @@ from fcl_sim.report.words import (
     value,
     with_unit,
 )
-from tests.report.synthetic import of_formula, requirement, verdict
+from tests.report.synthetic import of_formula, outcome, requirement, run, verdict
 
 FINITE = st.floats(-1e300, 1e300)
 
@@ -121,3 +122,11 @@ def test_of_a_formula_is_asked_that_it_holds_and_its_robustness_is_measured():
     found = of_formula("always crane.sway < 3 deg")
     assert bound(found.requirement) == "the formula holds"
     assert value(found) == "0.5\N{NO-BREAK SPACE}deg"
+
+
+def test_a_run_that_ended_early_is_told_with_its_time_signal_and_reason(tmp_path):
+    found = outcome(tmp_path, run(tmp_path), run(tmp_path, "lost", "fault"))
+    fault = found.variants["lost"].trace.fault
+    (ending,) = endings([found])
+    assert ending.startswith(f"{found.scenario.name} lost: FAULT: the run ended at ")
+    assert ending.endswith(f"s, at {fault.signal}: the integrator cannot reach its tolerance.")

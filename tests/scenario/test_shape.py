@@ -17,7 +17,10 @@ FOLDER = Path("scenarios/crane")
 MISSHAPEN = [
     (
         "",
-        "scenarios/own.toml: error[SCN202]: the scenario has no `title`\n  hint: `title` is one line for tables",
+        (
+            "scenarios/own.toml: error[SCN202]: the scenario has no `title`\n"
+            "  hint: `title` is one line for tables"
+        ),
     ),
     (
         "plant = 3",
