@@ -7,6 +7,7 @@ a float stands for the binary fraction that it is. Rules cited as in SEMANTICS.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial, reduce
 
 from fcl_sim.model import (
     Accumulation,
@@ -28,6 +29,12 @@ from fcl_sim.model import (
 from tests.oracle_areas import Area, Contribution, accumulated_area, defuzzified, degree_at
 
 ZERO, ONE = Fraction(0), Fraction(1)
+NORMS = {
+    Accumulation.ASUM: OrOperator.ASUM,
+    Accumulation.HSUM: OrOperator.HSUM,
+    Accumulation.ESUM: OrOperator.ESUM,
+}
+"""Accumulations of the Open Level that are S-norms, by the OR of the same formula."""
 
 
 @dataclass(frozen=True)
@@ -155,13 +162,16 @@ def subcondition(
     inputs: Mapping[str, Fraction],
     results: list[Result],
 ) -> Fraction:
-    """Return the degree of a subcondition; of what rules conclude, what those before have accumulated."""
+    """Return the degree of a subcondition; of what rules conclude, what those before have accumulated.
+
+    A sum without a bound (Open Level) is a degree of at most 1 here.
+    """
     term = leaf.term if isinstance(leaf, Is) else None
     if (leaf.variable, term) in terms:
         return terms[leaf.variable, term]
     if leaf.variable in inputs:
         return clamp(inputs[leaf.variable])
-    return accumulate(block, leaf.variable, results)[term]  # S27a, S29
+    return clamp(accumulate(block, leaf.variable, results)[term])  # S27a, S29
 
 
 def aggregate(
@@ -186,7 +196,12 @@ def conjunction(operator: AndOperator, a: Fraction, b: Fraction) -> Fraction:
         return min(a, b)
     if operator is AndOperator.PROD:
         return a * b
-    return max(ZERO, a + b - 1)
+    if operator is AndOperator.BDIF:
+        return max(ZERO, a + b - 1)
+    if operator is AndOperator.HPROD:
+        return a * b / (a + b - a * b) if a + b else ZERO
+    assert operator is AndOperator.EPROD
+    return a * b / (2 - (a + b - a * b))
 
 
 def disjunction(operator: OrOperator, a: Fraction, b: Fraction) -> Fraction:
@@ -194,7 +209,12 @@ def disjunction(operator: OrOperator, a: Fraction, b: Fraction) -> Fraction:
         return max(a, b)
     if operator is OrOperator.ASUM:
         return a + b - a * b
-    return min(ONE, a + b)
+    if operator is OrOperator.BSUM:
+        return min(ONE, a + b)
+    if operator is OrOperator.HSUM:
+        return (a + b - 2 * a * b) / (1 - a * b) if a * b != 1 else ONE
+    assert operator is OrOperator.ESUM
+    return (a + b) / (1 + a * b)
 
 
 def accumulate(block: FunctionBlock, variable: str, results: list[Result]) -> dict[str | None, Fraction]:
@@ -235,9 +255,14 @@ def combine(
 ) -> dict[str | None, Fraction]:
     """Return the degree of each term by one algorithm (Table 5), of singletons or as if of singletons."""
     by_term = {term: [each.weight * each.degree for each in group if each.term == term] for term in terms}
+    if algorithm in NORMS:
+        norm = partial(disjunction, NORMS[algorithm])
+        return {term: reduce(norm, degrees, ZERO) for term, degrees in by_term.items()}
     if algorithm is Accumulation.MAX:
         return {term: max(degrees, default=ZERO) for term, degrees in by_term.items()}
     sums = {term: sum(degrees, ZERO) for term, degrees in by_term.items()}
+    if algorithm is Accumulation.SUM:
+        return sums
     if algorithm is Accumulation.BSUM:
         return {term: min(ONE, degree) for term, degree in sums.items()}
     largest = max(ONE, *sums.values())  # S25

@@ -7,7 +7,7 @@ from fcl_sim.arithmetic.operators import minimum
 from fcl_sim.jit import inlined, u
 
 FEW = 8
-"""Up to this many knots all of them are compared; of more, a quarter is left by each three comparisons."""
+"""So many knots are halved three times; of more, a quarter is left by each three comparisons."""
 
 
 @inlined
@@ -25,14 +25,14 @@ def cell_of(x: float, floats: NDArray[float64], knots: int, count: int) -> int:
     """Return the cell of `x` on the rising knots at `floats[knots]`.
 
     Cell 2 k is the open interval before knot k, cell 2 k + 1 is knot k itself,
-    so that a vertical edge is a value in its knot's cell (S21). `count` is 4, 8,
-    or a power of 4 above the number of knots; NaN fills the knots up.
+    so that a vertical edge is a value in its knot's cell (S21). `count` is 8 or
+    a power of 4, and above the number of knots; NaN fills the knots up.
     """
-    if count <= FEW:
-        cell = passed(x, floats, knots)
-        if count > 4:
-            cell += passed(x, floats, knots + 4)
-        return cell
+    if count == FEW:
+        low = int(floats[u(knots + 3)] < x) << 2
+        low += int(floats[u(knots + low + 1)] < x) << 1
+        low += int(floats[u(knots + low)] < x)
+        return 2 * low + int(floats[u(knots + low)] <= x)
     below = knots
     step = count >> 2
     while step > 0:
@@ -40,6 +40,14 @@ def cell_of(x: float, floats: NDArray[float64], knots: int, count: int) -> int:
         below += step * (quarters + int(floats[u(below + 3 * step - 1)] < x))
         step >>= 2
     return 2 * (below - knots) + int(floats[u(below)] <= x)
+
+
+@inlined
+def cell_of_many(x: float, floats: NDArray[float64], knots: int, count: int) -> int:
+    """Return `cell_of` by comparing with each of few knots: for many x at a time, in vector instructions."""
+    if count == FEW:
+        return passed(x, floats, knots) + passed(x, floats, knots + 4)
+    return cell_of(x, floats, knots, count)
 
 
 @inlined

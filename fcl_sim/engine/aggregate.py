@@ -39,13 +39,13 @@ def aggregate(ints: Ints, at: int, rule: int, memory: Floats, base: int) -> floa
     body = rule + RULE_BODY
     length = ints[u(rule + RULE_LENGTH)]
     if kind == ALL_MIN:
-        degree: float = memory[u(base + ints[u(body)])]
-        for place in range(body + 1, body + length):
+        degree: float = minimum(memory[u(base + ints[u(body)])], memory[u(base + ints[u(body + 1)])])
+        for place in range(body + 2, body + length):
             degree = minimum(degree, memory[u(base + ints[u(place)])])
         return degree
     if kind == ALL_PROD:
-        degree = memory[u(base + ints[u(body)])]
-        for place in range(body + 1, body + length):
+        degree = memory[u(base + ints[u(body)])] * memory[u(base + ints[u(body + 1)])]
+        for place in range(body + 2, body + length):
             degree *= memory[u(base + ints[u(place)])]
         return degree
     return calculate(ints, at, body, body + length, memory, base)

@@ -119,8 +119,8 @@ def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code]) -> int:
 def _knots(grid: Grid) -> list[float]:
     """Return the knots as `cell_of` takes them."""
     knots = [float(knot) for knot in grid.knots]
-    count = 4 if len(knots) <= 4 else FEW if len(knots) <= FEW else 16
-    while count <= len(knots) and count > FEW:
+    count = FEW if len(knots) < FEW else 16
+    while count <= len(knots):
         count *= 4
     return knots + [nan] * (count - len(knots))
 

@@ -34,7 +34,9 @@ def code_of(rule_block: RuleBlock, rule: Rule, own: Plan) -> Code:
     """Return a rule's condition as slots, or as postfix code."""
     plain = conjunction(rule.condition)
     if plain is not None and own.slots.keys() >= set(plain):
-        if len(plain) == 1 or rule_block.and_operator is AndOperator.MIN:
+        if len(plain) == 1:
+            return Code(p.ALL_MIN, slots=(own.slots[plain[0]],) * 2)
+        if rule_block.and_operator is AndOperator.MIN:
             return Code(p.ALL_MIN, slots=tuple(own.slots[leaf] for leaf in plain))
         if rule_block.and_operator is AndOperator.PROD:
             return Code(p.ALL_PROD, slots=tuple(own.slots[leaf] for leaf in plain))

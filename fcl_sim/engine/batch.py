@@ -15,7 +15,7 @@ from numpy import float64, int64
 from numpy.typing import NDArray
 
 from fcl_sim.arithmetic.defuzzify import moments_of_two
-from fcl_sim.arithmetic.membership import cell_of, degree_on
+from fcl_sim.arithmetic.membership import cell_of_many, degree_on
 from fcl_sim.arithmetic.operators import clamped, maximum, minimum
 from fcl_sim.engine.program import (
     ALL_MIN,
@@ -92,7 +92,7 @@ def fuzzify_rows(
         given = ints[u(grid + GRID_INPUT)] * size + row
         knots, knot_count = origin + ints[u(grid + GRID_KNOTS)], ints[u(grid + GRID_COUNT)]
         for point in range(count):
-            cells[u(point)] = cell_of(points[u(given + point)], floats, knots, knot_count)
+            cells[u(point)] = cell_of_many(points[u(given + point)], floats, knots, knot_count)
         most = ints[u(grid + GRID_WIDTH)]
         slots, segments = ints[u(grid + GRID_ROWS)], origin + ints[u(grid + GRID_SEGMENTS)]
         for point in range(count):

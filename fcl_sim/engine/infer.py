@@ -45,6 +45,7 @@ from fcl_sim.engine.program import (
     GRIDS,
     GROUP_BSUM,
     GROUP_NSUM,
+    LIMIT,
     MASK_BITS,
     MOVED,
     OUT_ACTIVE,
@@ -83,16 +84,22 @@ Floats = NDArray[float64]
 
 
 @inlined
-def clear(ints: Ints, at: int, memory: Floats, base: int) -> None:
-    """Set all degrees to 0."""
+def clear(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
+    """Set all degrees to 0.
+
+    The 0 is a difference, not a constant, of which the compiler would make a
+    call of memset: for a few dozen words that takes longer than the stores.
+    """
     if ints[u(at + SUMMARY)] > 0:
         clear_visited(ints, at, memory, base)
+    limit = floats[u(ints[u(at + FLOATS)] + LIMIT)]
+    zero = limit - limit
     start = base + ints[u(at + CLEAR)]
     for word in range(start, start + ints[u(at + CLEARED)], 4):
-        memory[u(word)] = 0.0
-        memory[u(word + 1)] = 0.0
-        memory[u(word + 2)] = 0.0
-        memory[u(word + 3)] = 0.0
+        memory[u(word)] = zero
+        memory[u(word + 1)] = zero
+        memory[u(word + 2)] = zero
+        memory[u(word + 3)] = zero
 
 
 @flat
@@ -277,7 +284,7 @@ def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int, cu
 @inlined
 def accumulate(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
     """Take all steps but defuzzification; arguments as of `infer`."""
-    clear(ints, at, memory, base)
+    clear(ints, floats, at, memory, base)
     mask = fuzzify(ints, floats, at, memory, base)
     if ints[u(at + BROUGHT)] > 0:
         bring(ints, at, memory, base)

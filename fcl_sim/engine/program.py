@@ -37,7 +37,7 @@ Header (i):
 
 Grid record (i), one for each input that has terms with constant points:
     GRID_INPUT    (m) the variable
-    GRID_COUNT    number of knots, filled up with NaN to 4, to 8, or to a power of 4 above it
+    GRID_COUNT    number of knots, filled up with NaN to 8 or a power of 4, and to more than there are
     GRID_KNOTS    (f) the knots, strictly rising
     GRID_WIDTH    segments per cell, at least 2; cell 2 k is the interval before knot k, cell 2 k + 1 the
                   knot itself
@@ -63,7 +63,7 @@ or of a curve (i), CURVE_SIZE words, where MOVE_COUNT is -1 - its kind (arithmet
 
 Rule record (i), of varying length:
     RULE_KIND     ALL_MIN or ALL_PROD: AND over slots; CODE: postfix code
-    RULE_LENGTH   number of slots, or of words of code
+    RULE_LENGTH   number of slots, two at least (one alone stands there twice), or of words of code
     RULE_THEN     number of conclusions
     RULE_DEGREE   (m) its degree of firing
     RULE_BODY …   slots (m); in code, two words are a push: the slots of a degree and of 1 minus it; a

@@ -162,7 +162,8 @@ def _how(how: int, program: Program) -> str:
 def _body(kind: int, code: list[int], program: Program, names: Names) -> Iterator[str]:
     """Yield the degrees that a condition takes, and its operators."""
     if kind != p.CODE:
-        yield from (names[slot] for slot in code)
+        alone = kind == p.ALL_MIN and code[1:] == code[:1]
+        yield from (names[slot] for slot in (code[:1] if alone else code))
         return
     words = iter(code)
     for word in words:

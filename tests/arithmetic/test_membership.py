@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fcl_sim.arithmetic.membership import cell_of, degree_on
+from fcl_sim.arithmetic.membership import cell_of, cell_of_many, degree_on
 from fcl_sim.jit import F, entry, f8, i8, signature
 
 BEFORE = 3
@@ -16,20 +16,25 @@ def cell(x, floats, knots, count):
     return cell_of(x, floats, knots, count)
 
 
+@entry(signature(i8, f8, F, i8, i8))
+def cell_for_many(x, floats, knots, count):
+    return cell_of_many(x, floats, knots, count)
+
+
 @entry(signature(f8, f8, F, i8))
 def degree(x, floats, segment):
     return degree_on(x, floats, segment)
 
 
 def located(x, knots):
-    """Return the cell of `x`, with the knots filled up as `cell_of` wants them."""
-    count = next(
-        size for size, most in ((4, 4), (8, 8), (16, 15), (64, 63), (256, 255)) if len(knots) <= most
-    )
+    """Return the cell of `x` as both ways find it, with the knots filled up as they want them."""
+    count = next(size for size in (8, 16, 64, 256) if len(knots) < size)
     floats = np.full(BEFORE + count, nan)
     floats[:BEFORE] = -inf
     floats[BEFORE : BEFORE + len(knots)] = knots
-    return cell(float(x), floats, BEFORE, count)
+    found = cell(float(x), floats, BEFORE, count)
+    assert cell_for_many(float(x), floats, BEFORE, count) == found
+    return found
 
 
 KNOTS = st.lists(st.integers(-300, 300), min_size=1, max_size=150, unique=True).map(sorted)

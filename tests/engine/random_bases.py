@@ -1,5 +1,6 @@
 """Random rule bases and inputs, from a seed: everything that the engine evaluates."""
 
+from dataclasses import replace
 from random import Random
 
 from fcl_sim.model import (
@@ -14,6 +15,7 @@ from fcl_sim.model import (
     FunctionBlock,
     Fuzzification,
     Is,
+    Member,
     Method,
     Not,
     Or,
@@ -23,12 +25,14 @@ from fcl_sim.model import (
     Rule,
     RuleBlock,
     Singleton,
+    Structure,
     Term,
     Variable,
 )
 
 INPUTS = ("a", "b", "c")
-DEGREES = ("d", "e")
+DEGREES = ("d", "shade.light")
+"""Brought in from outside; the second is a member of a structure."""
 MOVERS = ("m", "n")
 OUTPUTS = ("y", "z")
 GIVEN_OUT = "q"
@@ -37,17 +41,24 @@ AND = (AndOperator.MIN, AndOperator.PROD, AndOperator.BDIF)
 OR = (OrOperator.MAX, OrOperator.ASUM, OrOperator.BSUM)
 ACT = (Activation.MIN, Activation.PROD)
 ACCU = (Accumulation.MAX, Accumulation.BSUM, Accumulation.NSUM)
+NORMS = (
+    (AndOperator.HPROD, AndOperator.EPROD),
+    (OrOperator.HSUM, OrOperator.ESUM),
+    (Accumulation.SUM, Accumulation.ASUM, Accumulation.HSUM, Accumulation.ESUM),
+)
+"""Of the Open Level, those without jumps: AND, OR, and what accumulates singletons."""
 FOR_AREAS = (Method.COG, Method.COG, Method.COA, Method.LM, Method.RM, Method.MM)
 FOR_SINGLETONS = (Method.COGS, Method.COGS, Method.LM, Method.RM, Method.MM)
 
 
-def random_base(seed: int, rules: int, *, chained: bool = True) -> FunctionBlock:
+def random_base(seed: int, rules: int, *, chained: bool = True, norms: bool = False) -> FunctionBlock:
     """Return a rule base of `rules` rules.
 
-    Its inputs a, b, c are fuzzified, d and e come in as degrees, m and n move
-    points and singletons; y and z are outputs with terms. With `chained` q is
-    an output without terms, l and k are local, and conditions ask for what
-    rules before have concluded.
+    Its inputs a, b, c are fuzzified, d and shade.light come in as degrees, m
+    and n move points and singletons; y and z are outputs with terms. With
+    `chained` q is an output without terms, l and k are local, and conditions
+    ask for what rules before have concluded. With `norms` the operators are
+    those of the Open Level, and so is what accumulates singletons.
     """
     random = Random(seed)  # noqa: S311  nothing secret
     plain = random.random() < 0.4
@@ -91,9 +102,13 @@ def random_base(seed: int, rules: int, *, chained: bool = True) -> FunctionBlock
             )
         )
     inputs = (*INPUTS, *DEGREES, *MOVERS)
-    return FunctionBlock(
+    initials = [random.choice((None, 0.5)) for _ in inputs]
+    base = FunctionBlock(
         name="random",
-        inputs=tuple(Variable(name, initial=random.choice((None, 0.5))) for name in inputs),
+        inputs=tuple(
+            Variable(name, initial=initial, structure="shades" if "." in name else None)
+            for name, initial in zip(inputs, initials, strict=True)
+        ),
         outputs=tuple(
             Variable(name, initial=random.choice((None, 1.5)))
             for name in (*OUTPUTS, *([GIVEN_OUT] if chained else []))
@@ -102,6 +117,26 @@ def random_base(seed: int, rules: int, *, chained: bool = True) -> FunctionBlock
         fuzzifications=fuzzifications,
         defuzzifications=defuzzifications,
         rule_blocks=tuple(rule_blocks),
+        structures=(Structure("shades", (Member("light"),)),),
+    )
+    return _with_norms(random, base) if norms else base
+
+
+def _with_norms(random: Random, base: FunctionBlock) -> FunctionBlock:
+    """Return `base` with operators of the Open Level, and with its S-norms wherever singletons accumulate."""
+    conjunctions, disjunctions, accumulations = NORMS
+    return replace(
+        base,
+        rule_blocks=tuple(
+            replace(each, and_operator=random.choice(conjunctions), or_operator=random.choice(disjunctions))
+            for each in base.rule_blocks
+        ),
+        defuzzifications=tuple(
+            replace(each, accumulation=random.choice(accumulations))
+            if all(isinstance(term.shape, Singleton) for term in each.terms)
+            else each
+            for each in base.defuzzifications
+        ),
     )
 
 

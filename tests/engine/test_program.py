@@ -47,7 +47,7 @@ SMALL = block(
 )
 
 SHOWN = """\
-program small: 120 integers, 55 floats, 21 words of memory
+program small: 121 integers, 59 floats, 21 words of memory
 
 memory (the first 6 words are recorded)
   m0    x

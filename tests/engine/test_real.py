@@ -13,7 +13,7 @@ from fcl_sim.diagnostics import InputFault
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.narrow import narrowed
 from fcl_sim.engine.precision import REAL
-from fcl_sim.jit import CompileError, compiled, flat
+from fcl_sim.jit import F4, CompileError, compiled, entry, f8, flat, i8, signature
 from tests.engine.agreement import errors, infer
 from tests.engine.random_bases import random_base, random_values
 
@@ -72,12 +72,17 @@ def counted(x, count):
     return third(x) * count
 
 
+@entry(signature(f8, F4, i8))
+def first_counted(values, count):
+    return counted(values[0], count)
+
+
 @pytest.mark.skipif(not compiled(), reason="a matter of compiling")
 def test_a_kernel_that_meets_a_binary64_number_in_binary32_does_not_compile():
     assert third(np.float32(1.0)) == np.float32(1.0) / np.float32(3.0)
     assert counted(1.0, 3) == 1.0
     with pytest.raises(CompileError, match="binary64 in counted"):
-        counted(np.float32(1.0), 3)
+        first_counted(np.ones(1, np.float32), 3)
 
 
 def test_literals_take_the_precision_of_what_they_meet():
