@@ -7,12 +7,16 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import cast
 
 from fcl_sim.engine.conditions import Push, Token, bounds
-from fcl_sim.engine.grid import Cell
+from fcl_sim.engine.grid import Bounds, Cell
 from fcl_sim.engine.program import MASK_BITS
 
 WORD = (1 << MASK_BITS) - 1
+UNKNOWN = (Fraction(0), Fraction(1))
+SURE = 1e-9
+"""A bound above it, computed in floats, is above 0; below it, fractions have to tell, which take longer."""
 FEW_WORDS = 8
 """Up to this many words of a mask are all looked at: a summary would cost more."""
 
@@ -65,8 +69,9 @@ def fireable(codes: Sequence[Code], slots: Sequence[int], cells: Sequence[Cell])
             if high == 0:
                 excluded |= needing.get(slot, 0)
         known = dict(zip(slots, cell.bounds, strict=True))
+        nearly = {slot: cast("Bounds", (float(low), float(high))) for slot, (low, high) in known.items()}
         for rule, tokens in loose:
-            if _never(tokens, known):
+            if _highest(tokens, nearly) < SURE and _highest(tokens, known) == 0:
                 excluded |= 1 << rule
         sets.append(everything & ~excluded)
     return sets
@@ -81,10 +86,10 @@ def _needing(codes: Sequence[Code], slots: set[int]) -> Mapping[int, int]:
     return needing
 
 
-def _never(tokens: Sequence[Token], known: Mapping[int, tuple[Fraction, Fraction]]) -> bool:
-    unknown = (Fraction(0), Fraction(1))
+def _highest(tokens: Sequence[Token], known: Mapping[int, Bounds]) -> Fraction:
+    """Return the upper bound of a condition's degree."""
 
-    def bounds_of(token: Token) -> tuple[Fraction, Fraction]:
-        return known.get(token.slot, unknown) if isinstance(token, Push) else unknown
+    def bounds_of(token: Token) -> Bounds:
+        return known.get(token.slot, UNKNOWN) if isinstance(token, Push) else UNKNOWN
 
-    return bounds(tokens, bounds_of)[1] == 0
+    return bounds(tokens, bounds_of)[1]

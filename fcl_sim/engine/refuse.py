@@ -27,7 +27,7 @@ FLATTEST = 1e308
 
 HINTS = {
     "FCL407": "keep magnitudes below 1e300, and terms from rising less than 1 in 1e308",
-    "FCL408": "give base points or curves, or for outputs single values",
+    "FCL408": "give base points, which variables may move, or numbers for what they move here",
     "FCL410": "take ACT MIN or PROD, or ACCU MAX",
     "FCL331": "CoG, CoA, LM and RM are for areas",
     "FCL412": "give the output a RANGE, such as RANGE := (0 .. 100);",
@@ -45,7 +45,7 @@ def refuse(block: FunctionBlock) -> None:
     found: dict[tuple[str, str], list[Place]] = {}
     for code, message, span in _findings(block):
         places = found.setdefault((code, message), [])
-        if span is not None:
+        if span is not None and Place(span) not in places:
             places.append(Place(span))
     if found:
         raise InputFault(

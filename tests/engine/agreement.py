@@ -83,7 +83,8 @@ def errors(base: FunctionBlock, values: Mapping[str, float], precision: Precisio
     for key, degree in opinion.accumulated.items():
         if key in program.layout.accumulated:
             ours = Fraction(float(memory[program.layout.accumulated[key]]))
-            yield f"accumulated {key}", float(abs(ours - degree)), bounds.accumulated
+            bound = bounds.accumulated * max(1.0, float(degree))  # sums without a bound exceed 1
+            yield f"accumulated {key}", float(abs(ours - degree)), bound
     defined = {each.variable: each for each in base.defuzzifications}
     for place, name in enumerate(program.output_names):
         if name in opinion.outputs and is_well_posed(defined.get(name), opinion, name, bounds.near):

@@ -10,6 +10,7 @@ from fcl_sim.engine.evaluate import evaluate
 from fcl_sim.model import (
     Accumulation,
     Activation,
+    Conclusion,
     Curve,
     CurveKind,
     Method,
@@ -86,6 +87,22 @@ def test_one_mistake_is_one_finding_with_all_its_places():
         "  also at base.fcl:2:6\n"
         "  hint: keep magnitudes below 1e300, and terms from rising less than 1 in 1e308"
     )
+
+
+def test_a_pair_of_operators_is_told_once_for_all_outputs():
+    first, second = AREA, replace(AREA, variable="z")
+    conclusions = tuple(Conclusion(each.variable, each.terms[0].name) for each in (first, second))
+    norms = replace(
+        RULES,
+        activation=Activation.EPROD,
+        accumulation=Accumulation.NMAX,
+        span=SPANS[0],
+        rules=(replace(RULES.rules[0], conclusions=conclusions),),
+    )
+    with pytest.raises(InputFault) as fault:
+        assemble(block({"x": INPUT}, (first, second), norms))
+    (only,) = fault.value.diagnostics
+    assert [each.span for each in only.places] == [SPANS[0]]
 
 
 def test_several_faults_come_together():
