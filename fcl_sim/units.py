@@ -19,7 +19,7 @@ from types import MappingProxyType
 from fcl_sim.diagnostics.spelling import nearest
 
 Dimension = tuple[int, ...]
-"""Exponents of mass, length, time, current, temperature, angle and Celsius temperature."""
+"""Exponents of mass, length, time, current, temperature, angle, Celsius temperature, amount of substance."""
 
 TEMPERATURE, CELSIUS = 4, 6
 
@@ -117,7 +117,7 @@ def _power(name: str, exponent: int) -> str:
 
 
 def _dimension(**exponents: int) -> Dimension:
-    order = ("mass", "length", "time", "current", "temperature", "angle", "celsius")
+    order = ("mass", "length", "time", "current", "temperature", "angle", "celsius", "amount")
     return tuple(exponents.get(each, 0) for each in order)
 
 
@@ -155,6 +155,7 @@ def _table() -> Mapping[str, tuple[Fraction, int, Dimension]]:
         "Ohm": (one, 0, _dimension(mass=1, length=2, time=-3, current=-2)),
         "K": (one, 0, _dimension(temperature=1)),
         "degC": (one, 0, _dimension(celsius=1)),
+        "mol": (one, 0, _dimension(amount=1)),
         "rad": (one, 0, angle),
         "deg": (Fraction(1, 180), 1, angle),
         "rpm": (Fraction(1, 30), 1, _dimension(angle=1, time=-1)),
@@ -176,7 +177,9 @@ PREFIXES: Mapping[str, Fraction] = MappingProxyType(
         "n": Fraction(1, 10**9),
     }
 )
-PREFIXED = frozenset({"g", "m", "l", "s", "Hz", "N", "Pa", "bar", "J", "Wh", "W", "A", "V", "Ohm", "K"})
+PREFIXED = frozenset(
+    {"g", "m", "l", "s", "Hz", "N", "Pa", "bar", "J", "Wh", "W", "A", "V", "Ohm", "K", "mol"}
+)
 OTHER_SPELLINGS: Mapping[str, str] = MappingProxyType(
     {"°C": "degC", "°": "deg", "L": "l", "Ω": "Ohm", "Nm": "N m", "sec": "s", "hr": "h", "C": "degC"}
 )

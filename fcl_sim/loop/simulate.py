@@ -160,7 +160,7 @@ def scan_on(plant: Plant, called: Called, work: Work, buffers: Buffers, until: i
         at = progress[u(ROW)]
         if at == 0:
             if ints[u(SAMPLED)] == 1:
-                called.sample(start / 1e9, work.x, work.p)
+                called.sample(start / 1e9, work.x, work.held, work.p)
             called.outputs(start / 1e9, work.x, work.held, work.p, progress[u(MODE)], buffers.y)
             at = ints[u(ROWS_AT)]
         late = ints[u(MEASURED)] == 1 and scan > 0

@@ -95,8 +95,8 @@ def check_functions(plant: Plant, functions: dict[str, Callable[..., Any]], path
             for event in range(START, len(plant.events)):
                 _check_transition(plain["transition"], plant, event, mode, path)
     if "sample" in plain:
-        x, _, p = _start(plant)
-        _run(path, plain["sample"], 0.0, x, p)
+        x, u, p = _start(plant)
+        _run(path, plain["sample"], 0.0, x, u, p)
 
 
 def fault_in(path: Path, error: BaseException, message: str) -> InputFault:

@@ -18,7 +18,7 @@ PlantFunction = Callable[..., Any]
 
 _DERIVATIVE = (void, f8, F, F, F, i8, F)
 _TRANSITION = (i8, i8, f8, F, F, F, i8)
-_SAMPLE = (void, f8, F, F)
+_SAMPLE = (void, f8, F, F, F)
 
 PARTS: dict[str, tuple[Any, ...]] = {
     "dynamics": _DERIVATIVE,
@@ -34,7 +34,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "outputs": ("t", "x", "u", "p", "mode", "y"),
     "events": ("t", "x", "u", "p", "mode", "g"),
     "transition": ("i", "t", "x", "u", "p", "mode"),
-    "sample": ("t", "x", "p"),
+    "sample": ("t", "x", "u", "p"),
 }
 """Names of the arguments, as a plant file writes them."""
 
@@ -53,7 +53,7 @@ def transition(i: int, t: float, x: Array, u: Array, p: Array, mode: int) -> int
     return max(mode, 0)
 
 
-def sample(t: float, x: Array, p: Array) -> None:
+def sample(t: float, x: Array, u: Array, p: Array) -> None:
     """Nothing happens at a scan."""
 
 

@@ -42,7 +42,7 @@ def dynamics(t, x, u, p, mode, dx):
 def outputs(t, x, u, p, mode, y):
     y[0] = x[0]
 
-def sample(t, x, p):
+def sample(t, x, u, p):
     x[0] += 1.0
 """
 
