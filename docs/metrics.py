@@ -11,6 +11,7 @@ DIRECTIONS = {
 }
 KINDS = {
     Kind.SIGNAL: ", in the unit of the signal",
+    Kind.DIFFERENCE: ", in the unit of the signal, K for degC",
     Kind.TIME: ", a time",
     Kind.TIMES: ", a list of times",
     Kind.NUMBER: "",

@@ -5,7 +5,7 @@ divides all that follows up to the next `/`: `W/m2 K` is watt per square metre
 and kelvin. `m2`, `m^2` and `m**2` are the same. Angles have a dimension of
 their own, so that degrees are not taken for a plain number; `degC` is a
 temperature on the Celsius scale and meets no other unit, kelvin included. In a
-product it counts differences, which are the same in kelvin: `%/degC` is `%/K`.
+product it is a difference, and that is in kelvin: `%/degC` is `%/K`.
 """
 
 import math
@@ -19,9 +19,7 @@ from types import MappingProxyType
 from fcl_sim.diagnostics.spelling import nearest
 
 Dimension = tuple[int, ...]
-"""Exponents of mass, length, time, current, temperature, angle, Celsius temperature, amount of substance."""
-
-TEMPERATURE, CELSIUS = 4, 6
+"""Exponents of mass, length, time, current, angle, amount of substance, temperature, Celsius temperature."""
 
 
 class UnitError(ValueError):
@@ -63,53 +61,56 @@ class Unit:
         powers = dict(self.powers)
         for name, exponent in other.powers:
             powers[name] = powers.get(name, 0) + exponent
-        dimension = [mine + theirs for mine, theirs in zip(self.dimension, other.dimension, strict=True)]
-        if alike := _opposite(powers.get("degC", 0), powers.get("K", 0)):
-            powers["degC"] -= alike
-            powers["K"] += alike
-            dimension[CELSIUS] -= alike
-            dimension[TEMPERATURE] += alike
-        return Unit(
-            self.scale * other.scale,
-            self.pi + other.pi,
-            tuple(dimension),
-            tuple((name, exponent) for name, exponent in powers.items() if exponent),
+        return _counting_differences(
+            Unit(
+                self.scale * other.scale,
+                self.pi + other.pi,
+                tuple(mine + theirs for mine, theirs in zip(self.dimension, other.dimension, strict=True)),
+                tuple((name, exponent) for name, exponent in powers.items() if exponent),
+            )
         )
 
     def __truediv__(self, other: "Unit") -> "Unit":
         return self * other**-1
 
     def __pow__(self, exponent: int) -> "Unit":
-        return Unit(
-            self.scale**exponent,
-            self.pi * exponent,
-            tuple(each * exponent for each in self.dimension),
-            tuple((name, power * exponent) for name, power in self.powers if exponent),
+        return _counting_differences(
+            Unit(
+                self.scale**exponent,
+                self.pi * exponent,
+                tuple(each * exponent for each in self.dimension),
+                tuple((name, power * exponent) for name, power in self.powers if exponent),
+            )
         )
+
+    @property
+    def difference(self) -> "Unit":
+        """The unit of a difference of two such values: K for degC, itself for all others."""
+        return _symbol("K") if self.powers == CELSIUS else self
 
     def same_as(self, other: "Unit") -> bool:
         """Return whether a number means the same in both units (`N s` and `kg m/s`)."""
-        return (self.scale, self.pi) == (other.scale, other.pi) and self.commensurate(other)
+        mine = (self.scale, self.pi, self.dimension)
+        return mine == (other.scale, other.pi, other.dimension)
 
     def commensurate(self, other: "Unit") -> bool:
         """Return whether one converts into the other (`min` and `ms`)."""
-        return _counted(self.dimension) == _counted(other.dimension)
+        return self.dimension == other.dimension
 
 
-def _counted(dimension: Dimension) -> Dimension:
-    """Return a dimension with Celsius among the kelvins, unless it is a temperature on that scale."""
-    *others, celsius = dimension
-    if not celsius or (celsius == 1 and not any(others)):
-        return dimension
-    others[TEMPERATURE] += celsius
-    return (*others, 0)
+def _counting_differences(unit: Unit) -> Unit:
+    """Return a unit with K in place of degC where this stands beside others or to a power.
 
-
-def _opposite(one: int, other: int) -> int:
-    """Return what can be taken off `one`, and given to `other`, where their signs differ."""
-    if one * other >= 0:
-        return 0
-    return min(one, -other) if one > 0 else max(one, -other)
+    A temperature on a scale with its own zero is not multiplied: what is multiplied is a difference.
+    """
+    celsius = unit.dimension[-1]
+    if not celsius or unit.powers == CELSIUS:
+        return unit
+    powers = dict(unit.powers)
+    powers["K"] = powers.get("K", 0) + powers.pop("degC")
+    *others, kelvin, _ = unit.dimension
+    kept = tuple((name, exponent) for name, exponent in powers.items() if exponent)
+    return Unit(unit.scale, unit.pi, (*others, kelvin + celsius, 0), kept)
 
 
 def _power(name: str, exponent: int) -> str:
@@ -117,9 +118,12 @@ def _power(name: str, exponent: int) -> str:
 
 
 def _dimension(**exponents: int) -> Dimension:
-    order = ("mass", "length", "time", "current", "temperature", "angle", "celsius", "amount")
+    order = ("mass", "length", "time", "current", "angle", "amount", "temperature", "celsius")
     return tuple(exponents.get(each, 0) for each in order)
 
+
+CELSIUS = (("degC", 1),)
+"""The powers of degC alone."""
 
 ONE = Unit(Fraction(1), 0, _dimension())
 """The dimensionless unit."""
@@ -276,7 +280,7 @@ class Quantity:
 
 def _conversion_hint(unit: Unit, target: Unit) -> str:
     if (unit.symbol, target.symbol) == ("K", "degC"):
-        return "degC is a scale of its own and K is not: write a difference of temperatures in degC, too"
+        return "degC is a scale of its own and K is not: a temperature is written in degC, a difference in K"
     if (unit.symbol, target.symbol) == ("degC", "K"):
         return "degC is a scale of its own and K is not: write the number in K"
     if not target.symbol:

@@ -35,14 +35,10 @@ PLANT = Plant(
         Output("drain", "l/min", "what flows out in all"),
     ),
     parameters=(
-        Parameter(
-            "rim", "m", 0.8, "H, height of the rim", "laboratory cone in a thesis, scribd 411962115", 0.01
-        ),
+        Parameter("rim", "m", 0.8, "H, height of the rim", "a laboratory cone, scribd 411962115", 0.01),
         Parameter("radius", "m", 0.2, "R, at the rim", "the same", 0.01),
         Parameter("outlet", "m3/s", 4e-4, "c, outflow at a level of 1 m", "[A]", 0.0),
-        Parameter(
-            "capacity", "m3/s", 5e-4, "Qmax, of the pump", "[A]; that of the laboratory gave 3e-4", 0.0
-        ),
+        Parameter("capacity", "m3/s", 5e-4, "Qmax, of the pump", "[A] the laboratory's gave 3e-4", 0.0),
         Parameter("pump_lag", "s", 1.5, "tauq", "[A]", 0.01),
     ),
 )

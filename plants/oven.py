@@ -78,16 +78,12 @@ PLANT = Plant(
         Output("blue", "1", "of the piece that left, 0 to 255"),
     ),
     parameters=(
-        Parameter(
-            "heat_transfer", "W/kg K", 22.0, "HA, per dry mass", "[A] 44 W/(m2 K) on each side, 4 kg/m2"
-        ),
+        Parameter("heat_transfer", "W/kg K", 22.0, "HA, per dry mass", "[A] 44 W/(m2 K) a side, 4 kg/m2"),
         Parameter("line_load", "kg/m", 3.402, "dry mass on the belt", "[A] 4 kg/m2 on 1 m, 85 % of it", 0.0),
         Parameter("solids_heat", "J/kg K", 1600.0, "cps", BAKER, 1.0),
         Parameter("water_heat", "J/kg K", 4180.0, "cpw", "handbook", 1.0),
         Parameter("latent_heat", "J/kg", 2.4e6, "LAM", "handbook", 0.0),
-        Parameter(
-            "drying", "1/s", 0.0078, "KD0, at 105 degC", "[A] dries dough of 20 % to 1.3 % in 6 min", 0.0
-        ),
+        Parameter("drying", "1/s", 0.0078, "KD0, at 105 degC", "[A] dries dough to 1.3 % in 6 min", 0.0),
         Parameter("drying_energy", "J/mol", 40_000.0, "EAD", "[A]", 0.0),
         Parameter("browning", "1/s", 42_000.0, "kB0", "Zanoni, Peri, Bruno 1995, LWT 28:604", 0.0),
         Parameter("browning_energy", "J/mol", 64_151.0, "EB", "Zanoni, Peri, Bruno 1995, LWT 28:604", 0.0),

@@ -70,6 +70,9 @@ class Resolver:
     def _arithmetic(self, node: Arithmetic) -> Sized | None:
         given = [self.number(each) for each in node.operands]
         kind = FUNCTIONS[node.operator].kind if node.operator in FUNCTIONS else None
+        shifted = _on_a_scale(node.operator, given)
+        if shifted is not None:
+            return node, shifted
         if node.operator in SUMS or kind in {Kind.ALIKE, Kind.DIRECTION}:
             alike = self.alike(given)
             if alike is None:
@@ -129,6 +132,19 @@ class Resolver:
             message = f"`{self.show(first)}` has no unit, and `{self.show(node)}` is in {own}"
             hint = "write the number alone" if isinstance(node, Number) else ""
         return finding("JDG203", message, node.span, hint)
+
+
+def _on_a_scale(operator: str, given: Sequence[Sized | None]) -> Unit | None:
+    """Return the unit of a difference of temperatures in degC, or of one that K are added to; else None."""
+    units = [each[1] for each in given if each is not None]
+    if operator not in SUMS or len(given) != 2 or len(units) != 2:
+        return None
+    scales = [not each.same_as(each.difference) for each in units]
+    if not any(scales) or not units[0].difference.same_as(units[1].difference):
+        return None
+    if operator == "-":
+        return units[1].difference if all(scales) else units[0] if scales[0] else None
+    return None if all(scales) else units[scales.index(True)]
 
 
 def _product(operator: str, known: Sequence[Sized]) -> Unit:

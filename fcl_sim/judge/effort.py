@@ -90,7 +90,7 @@ EFFORT = (
         take=total_variation,
         words="total variation",
         definition="sum of |signal - signal at the scan before| over the scans of the window",
-        unit=UnitRule(signal=1),
+        unit=UnitRule(signal=1, apart=True),
         combined=Combined.SUM,
     ),
     Metric(
@@ -128,7 +128,7 @@ EFFORT = (
         definition="how often the signal changes its direction in the window, "
         "once it has gone back by more than least",
         unit=UnitRule(),
-        arguments=(Argument("least", Kind.SIGNAL, "largest swing that does not count", default=0.0),),
+        arguments=(Argument("least", Kind.DIFFERENCE, "largest swing that does not count", default=0.0),),
         combined=Combined.SUM,
     ),
     Metric(

@@ -10,9 +10,10 @@ from fcl_sim.units import Unit, parse_unit
 
 
 class Kind(StrEnum):
-    """What an argument is measured in: the signal's unit, seconds, a list of seconds, or nothing."""
+    """What an argument is: a value of the signal, a difference of two, seconds, a list of them, a number."""
 
     SIGNAL = "signal"
+    DIFFERENCE = "difference"
     TIME = "time"
     TIMES = "times"
     NUMBER = "number"
@@ -77,14 +78,19 @@ A piece ends just before the next restart: its last sample is held until there.
 
 @dataclass(frozen=True, slots=True)
 class UnitRule:
-    """A metric's unit, as powers of the signal's unit and of the second."""
+    """A metric's unit, as powers of the signal's unit and of the second.
+
+    With `apart` it is a difference of two values of the signal.
+    """
 
     signal: int = 0
     time: int = 0
+    apart: bool = False
 
     def unit(self, signal: Unit) -> Unit:
         """Return the unit of the metric for a signal in `signal`."""
-        return signal**self.signal * parse_unit("s") ** self.time
+        of = signal.difference if self.apart else signal
+        return of**self.signal * parse_unit("s") ** self.time
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,7 +13,9 @@ from fcl_sim.judge.response import crossing
 from fcl_sim.loop.trace import Values
 
 ABOUT = Argument("final", Kind.SIGNAL, "value that the signal swings about")
-LEAST = Argument("least", Kind.SIGNAL, "distance from it up to which the signal crosses nothing", default=0.0)
+LEAST = Argument(
+    "least", Kind.DIFFERENCE, "distance from it up to which the signal crosses nothing", default=0.0
+)
 
 
 def oscillation_amplitude(time: Values, values: Values, *, final: float, least: float) -> float:
@@ -86,7 +88,7 @@ OSCILLATION = (
         words="amplitude of oscillation",
         definition="largest |signal - final| between two crossings of final in the window; "
         "0 where it is crossed less than twice",
-        unit=UnitRule(signal=1),
+        unit=UnitRule(signal=1, apart=True),
         arguments=(ABOUT, LEAST),
     ),
     Metric(
@@ -116,6 +118,6 @@ OSCILLATION = (
         words="residual sway",
         definition="half the distance from the smallest to the largest value of the signal in the window, "
         "which begins with `from` when the motion is over",
-        unit=UnitRule(signal=1),
+        unit=UnitRule(signal=1, apart=True),
     ),
 )

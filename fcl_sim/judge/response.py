@@ -75,6 +75,17 @@ def overshoot(_time: Values, values: Values, *, final: float, initial: float | N
     return max(0.0, float(np.max((values - final) * math.copysign(1.0, final - start))))
 
 
+def relative_overshoot(time: Values, values: Values, *, final: float, initial: float | None = None) -> float:
+    """Return the overshoot as a part of the way from `initial` to `final`; NaN where there is none.
+
+    >>> relative_overshoot(np.arange(4.0), np.array([25.0, 3.0, -2.0, 0.0]), final=0.0)
+    0.08
+    """
+    start = float(values[0]) if initial is None else initial
+    beyond = overshoot(time, values, final=final, initial=start)
+    return beyond if math.isnan(beyond) else beyond / abs(final - start)
+
+
 def undershoot(_time: Values, values: Values, *, final: float, initial: float | None = None) -> float:
     """Return how far the signal goes back behind `initial`; NaN where there is no motion to go against.
 
@@ -112,6 +123,13 @@ def _not_beyond(bound: Bound, window: Window, arguments: Mapping[str, float]) ->
     return Limits(low=final - bound.maximum, start=0.0, end=window.length)
 
 
+def _not_beyond_part(bound: Bound, window: Window, arguments: Mapping[str, float]) -> Limits | None:
+    if bound.maximum is None:
+        return None
+    way = abs(arguments["final"] - arguments.get("initial", window.first))
+    return _not_beyond(Bound(maximum=bound.maximum * way), window, arguments)
+
+
 def _not_behind(bound: Bound, window: Window, arguments: Mapping[str, float]) -> Limits | None:
     start, final = arguments.get("initial", window.first), arguments["final"]
     if bound.maximum is None or start == final:
@@ -131,7 +149,7 @@ RESPONSE = (
         definition="time from the start of the window until the signal stays within final ± band "
         "to the end of the window; the crossing is interpolated linearly between two scans",
         unit=UnitRule(time=1),
-        arguments=(FINAL, Argument("band", Kind.SIGNAL, "largest distance from the final value")),
+        arguments=(FINAL, Argument("band", Kind.DIFFERENCE, "largest distance from the final value")),
         never="settle",
         limits=_settled,
     ),
@@ -157,10 +175,21 @@ RESPONSE = (
         words="overshoot",
         definition="largest distance of the signal beyond its final value in the direction from the initial "
         "to the final value, in the unit of the signal; 0 where it does not go beyond",
-        unit=UnitRule(signal=1),
+        unit=UnitRule(signal=1, apart=True),
         arguments=(FINAL, INITIAL),
         undefined=NO_MOTION,
         limits=_not_beyond,
+    ),
+    Metric(
+        name="relative_overshoot",
+        take=relative_overshoot,
+        words="relative overshoot",
+        definition="largest distance of the signal beyond its final value in the direction from the initial "
+        "to the final value, as a part of the distance between these two; 0 where it does not go beyond",
+        unit=UnitRule(),
+        arguments=(FINAL, INITIAL),
+        undefined=NO_MOTION,
+        limits=_not_beyond_part,
     ),
     Metric(
         name="undershoot",
@@ -168,7 +197,7 @@ RESPONSE = (
         words="undershoot",
         definition="largest distance of the signal behind its initial value, against the direction from the "
         "initial to the final value, in the unit of the signal; 0 where it does not go behind",
-        unit=UnitRule(signal=1),
+        unit=UnitRule(signal=1, apart=True),
         arguments=(FINAL, INITIAL),
         undefined=NO_MOTION,
         limits=_not_behind,

@@ -2,7 +2,7 @@
 
 from fcl_sim.judge.metric import WINDOW, Kind, Metric
 from fcl_sim.judge.verdict import Corridor, Form, Relative, Requirement
-from fcl_sim.units import short
+from fcl_sim.units import parse_unit, short
 
 DIGITS = 4
 MOST_DIGITS = 17
@@ -49,7 +49,8 @@ def seconds(time: float) -> str:
 
 def definition(metric: Metric, requirement: Requirement, signal_unit: str) -> str:
     """Return the metric in words, with the arguments that this requirement gives or leaves."""
-    units = {Kind.SIGNAL: signal_unit, Kind.TIME: "s", Kind.NUMBER: ""}
+    apart = parse_unit(signal_unit).difference.symbol
+    units = {Kind.SIGNAL: signal_unit, Kind.DIFFERENCE: apart, Kind.TIME: "s", Kind.NUMBER: ""}
     given = []
     for each in (*metric.arguments, *WINDOW):
         default = each.default if each in metric.arguments else None

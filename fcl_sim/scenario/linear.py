@@ -155,11 +155,11 @@ def _values(setup: PlantSetup, model: LinearModel, units: Mapping[str, Unit], fa
 
 
 def _unit_of(name: str, units: Mapping[str, Unit]) -> Unit:
-    """Return the unit of a quantity among the parameters; a gain counts differences of degC in K."""
+    """Return the unit of a quantity among the parameters."""
     if name != "gain" or len(units) != 2:
         return parse_unit("" if name == "gain" else "s")
     given, result = units.values()
-    return parse_unit(result.symbol.replace("degC", "K")) / given
+    return result / given
 
 
 EXAMPLES: Mapping[str, str] = MappingProxyType(

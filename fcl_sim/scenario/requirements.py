@@ -310,7 +310,13 @@ def _argument(
     metric: Metric, name: str, entry: Entry, signal: Unit, faults: list[Diagnostic]
 ) -> float | None:
     argument: Argument = next(each for each in (*metric.arguments, *WINDOW) if each.name == name)
-    units = {Kind.SIGNAL: signal, Kind.TIME: parse_unit("s"), Kind.NUMBER: parse_unit("")}
+    second, plain = parse_unit("s"), parse_unit("")
+    units = {
+        Kind.SIGNAL: signal,
+        Kind.DIFFERENCE: signal.difference,
+        Kind.TIME: second,
+        Kind.NUMBER: plain,
+    }
     return converted(entry, units[argument.kind], f"`{name}` of `{metric.name}`", faults)
 
 

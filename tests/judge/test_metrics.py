@@ -187,7 +187,7 @@ def test_a_metric_has_the_unit_of_its_rule(name: str, unit: str) -> None:
 
 def test_every_metric_runs_on_one_sample() -> None:
     time, values = np.array([0.0]), np.array([2.0])
-    given_ = {Kind.SIGNAL: 1.0, Kind.TIME: 0.0, Kind.NUMBER: 0.5}
+    given_ = {Kind.SIGNAL: 1.0, Kind.DIFFERENCE: 1.0, Kind.TIME: 0.0, Kind.NUMBER: 0.5}
     for metric in METRICS.values():
         arguments = {each.name: given_[each.kind] for each in metric.arguments if each.required}
         metric.measure(time, values, arguments)

@@ -1,4 +1,4 @@
-"""The compressed-air receiver against closed forms, and under figure 7 against the roots of its equations (B.3)."""
+"""The receiver of compressed air against closed forms, and under figure 7 against its equations' roots."""
 
 import numpy as np
 import pytest

@@ -20,17 +20,19 @@ class ToldElsewhere(UnitError):
 class Like:
     """A unit rule: the unit of the input or parameter called `name`, times a fixed one.
 
-    A parameter that is left at a plain number has none.
+    A parameter that is left at a plain number has none. With `apart` it is that
+    of a difference: K where the other is in degC.
     """
 
     name: str
     times: str = ""
+    apart: bool = False
 
     def __call__(self, inputs: Mapping[str, Unit], parameters: Mapping[str, Quantity]) -> Unit:
         """Return the unit."""
         given = parameters.get(self.name)
         unit = inputs.get(self.name, given.unit if given else ONE)
-        return unit * parse_unit(self.times)
+        return (unit.difference if self.apart else unit) * parse_unit(self.times)
 
     def __str__(self) -> str:
         return f"as {self.name}" + (f" * {self.times}" if self.times else "")

@@ -31,7 +31,9 @@ DEAD_BAND = BlockType(
     kernel=dead_band,
     inputs=(BlockInput(name="input", meaning="u"),),
     parameters=(
-        BlockParameter(name="width", unit=Like("input"), minimum=0.0, meaning="half the width of the band"),
+        BlockParameter(
+            name="width", unit=Like("input", apart=True), minimum=0.0, meaning="half the width of the band"
+        ),
     ),
     outputs=(BlockOutput(unit=Like("input")),),
 )

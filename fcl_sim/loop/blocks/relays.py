@@ -130,7 +130,9 @@ QUANTISER = BlockType(
     kernel=quantiser,
     inputs=INPUT,
     parameters=(
-        BlockParameter(name="step", unit=Like("input"), above=0.0, meaning="what a step is worth"),
+        BlockParameter(
+            name="step", unit=Like("input", apart=True), above=0.0, meaning="what a step is worth"
+        ),
         BlockParameter(name="offset", unit=Like("input"), default=0.0, meaning="a value that is met exactly"),
         BlockParameter(
             name="rounding",

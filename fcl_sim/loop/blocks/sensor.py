@@ -128,7 +128,9 @@ SENSOR = BlockType(
     inputs=(BlockInput(name="input", meaning="u, the quantity that is measured"),),
     parameters=(
         BlockParameter(name="lag", unit="s", default=0.0, minimum=0.0, meaning="tau, time constant"),
-        BlockParameter(name="bias", unit=Like("input"), default=0.0, meaning="error that stays the same"),
+        BlockParameter(
+            name="bias", unit=Like("input", apart=True), default=0.0, meaning="error that stays the same"
+        ),
         BlockParameter(
             name="drift", unit=Like("input", "1/s"), default=0.0, meaning="growth of the error in time"
         ),
@@ -149,7 +151,11 @@ SENSOR = BlockType(
         BlockParameter(name="low", unit=Like("input"), default=-inf, meaning="beginning of the range"),
         BlockParameter(name="high", unit=Like("input"), default=inf, meaning="end of the range"),
         BlockParameter(
-            name="resolution", unit=Like("input"), default=0.0, minimum=0.0, meaning="what a step is worth"
+            name="resolution",
+            unit=Like("input", apart=True),
+            default=0.0,
+            minimum=0.0,
+            meaning="what a step is worth",
         ),
         BlockParameter(
             name="bits", kind="count", default=0, meaning="of the converter, in place of `resolution`"
