@@ -260,8 +260,8 @@ def _of_metric(
         if name != RESTART_AT.name
     }
     own = metric.unit.unit(unit)
-    if text.relative_to is not None and text.relative_to.form is Form.RATIO:
-        own = parse_unit("")
+    if text.relative_to is not None:
+        own = parse_unit("") if text.relative_to.form is Form.RATIO else own.difference
     what = f"a {metric.words} of `{signal}`"
     minimum = converted(text.minimum, own, what, faults)
     maximum = converted(text.maximum, own, what, faults)
