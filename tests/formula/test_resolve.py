@@ -25,6 +25,8 @@ UNITS = {
     "n": "1",
     "share": "%",
     "k": "K",
+    "hot": "degC",
+    "cold": "degC",
     "block.area": "m2",
 }
 
@@ -68,6 +70,11 @@ def resolved(text):
         ("mod(x, 1 cm)", "m"),
         ("max(x, far, 3 m)", "m"),
         ("abs(-k)", "K"),
+        ("hot - cold", "K"),
+        ("hot - 20 degC", "K"),
+        ("hot - k", "degC"),
+        ("k + hot", "degC"),
+        ("(hot - cold) / t", "K/s"),
         ("exp(-t / 3 s) * 4 kW", "kW"),
         ("floor(x / 1 m) * 1 m", "m"),
         ("tanh(share)", ""),
@@ -97,6 +104,8 @@ def test_the_unit_of_a_formula_follows(text, unit):
         ("pow(n, x)", "x", "`pow` takes a plain number, and `x` is in m"),
         ("atan2(x, t)", "t", "`x` is in m, and `t` is in s"),
         ("max(x, 1)", "1", "`x` is in m, and `1` has no unit"),
+        ("k - hot", "hot", "`k` is in K, and `hot` is in degC"),
+        ("max(hot, k)", "k", "`hot` is in degC, and `k` is in K"),
     ],
 )
 def test_what_does_not_fit_is_told_where_it_stands(text, at, message):
