@@ -148,7 +148,7 @@ Instance memory (m), a head that traces record and the work behind it:
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -337,3 +337,11 @@ class Program:
         ints = self.ints.copy()
         ints[FLOATS] = floats_at
         return ints
+
+    def without(self, rule: int) -> "Program":
+        """Return the program in which a rule, by its place in `rule_labels`, concludes nothing."""
+        bit = rule % MASK_BITS
+        entry = self.ints[RULE] + rule - bit + (((DE_BRUIJN << bit) >> 27) & 31)
+        ints = self.ints.copy()
+        ints[ints[entry] + RULE_THEN] = 0
+        return replace(self, ints=ints)

@@ -9,13 +9,14 @@ from fcl_sim.loop.diagram import Diagram, FuzzyNode
 from fcl_sim.loop.linked import linked
 from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.reported import events_of, refused
-from fcl_sim.loop.restart import restart_cold
+from fcl_sim.loop.restart import restart_cold, restarted_nodes
 from fcl_sim.loop.simulate import simulate
 from fcl_sim.loop.state import RunState, initial_state
 from fcl_sim.loop.tape import Tape, lower
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Incident, Trace, Values
 from fcl_sim.loop.wiring import wire
 from fcl_sim.loop.work import INDEX, ROW, SAMPLES, STATUS
+from fcl_sim.units import parse_unit
 
 REASONS = {
     layout.NOT_FINITE: "is NaN or infinite",
@@ -124,6 +125,7 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
     program = node.block.program
     first = tape.column(tape.instances[node.name])
     part = record[:, first : first + program.recorded]
+    restarted = node.name in {each.name for each in restarted_nodes(tape.wiring.diagram)}
     return FuzzyRecord(
         input_names=program.input_names,
         output_names=program.output_names,
@@ -132,6 +134,8 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
         outputs=part[:, program.outputs_at : program.active_at],
         degrees=part[:, program.degrees_at :],
         active=part[:, program.active_at : program.degrees_at] != 0.0,
+        cold=tuple(each for each in tape.schedule.cold if restarted and each < len(record)),
+        units={name: parse_unit(unit).symbol for name, unit in node.units.items()},
     )
 
 

@@ -15,7 +15,9 @@ class FuzzyRecord:
 
     `inputs` (n, inputs) and `outputs` (n, outputs) are what it read and gave;
     `degrees` (n, rules) each rule's degree of firing after aggregation;
-    `active` (n, outputs) whether any rule was active for the output.
+    `active` (n, outputs) whether any rule was active for the output. `cold` are
+    the samples, besides the first, before which it was set to its initial
+    state; `units` the units of its variables, `1` where none is told.
     """
 
     input_names: tuple[str, ...]
@@ -25,6 +27,14 @@ class FuzzyRecord:
     outputs: Values
     degrees: Values
     active: NDArray[np.bool_]
+    cold: tuple[int, ...] = ()
+    units: Mapping[str, str] = field(default_factory=dict)
+
+    def previous(self, initial: Values) -> Values:
+        """Return the outputs (n, outputs) before each sample, `initial` (outputs,) where it began anew."""
+        before = np.vstack([initial[None, :], self.outputs])[: len(self.outputs)]
+        before[list(self.cold)] = initial
+        return before
 
 
 @dataclass(frozen=True, slots=True)
