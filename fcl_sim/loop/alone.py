@@ -5,8 +5,10 @@ is compiled than what the run needed.
 """
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fcl_sim.engine.program import Program
 from fcl_sim.loop.blocks.fuzzy import fuzzy_for
@@ -32,7 +34,7 @@ class Alone:
         if real:
             first, own = 2 * count, 2 * (head + program.recorded)
             self._floats.view(np.float32)[first : first + constants.size] = constants
-            self._words: Values = self._memory.view(np.float32)[own : own + program.size]
+            self._words: NDArray[Any] = self._memory.view(np.float32)[own : own + program.size]
         else:
             first, own = count, -1
             self._floats[first:] = constants

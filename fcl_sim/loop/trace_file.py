@@ -12,15 +12,17 @@ import numpy as np
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.loop.trace import Trace
+from fcl_sim.loop.trace_columns import table
 
 
 def write(trace: Trace, path: Path) -> None:
     """Write a trace to `path`, whole or not at all; its ending decides the format.
 
-    `.csv`: one line per sample, `time [s]` first, each signal with its unit in
+    `.csv`: one line per sample, `time [s]` first, each column with its unit in
     the header, numbers to the last digit. `.npz`: the arrays `ticks` (n,) in
-    nanoseconds, `values` (n, signals), `names`, `units`. InputFault for another
-    ending; OSError where the system refuses.
+    nanoseconds, `values` (n, columns), `names`, `units`. The columns are those
+    of `trace_columns`. InputFault for another ending; OSError where the system
+    refuses.
     """
     writer = WRITERS.get(path.suffix.lower())
     if writer is None:
@@ -40,8 +42,10 @@ def write(trace: Trace, path: Path) -> None:
 
 
 def _write_csv(trace: Trace, file: BinaryIO) -> None:
-    header = ["time [s]", *(f"{name} [{trace.units[name] or '1'}]" for name in trace.names)]
-    rows = np.column_stack([trace.time, trace.values]).tolist()
+    columns = table(trace)
+    names = zip(columns.names, columns.units, strict=True)
+    header = ["time [s]", *(f"{name} [{unit or '1'}]" for name, unit in names)]
+    rows = np.column_stack([trace.time, columns.values]).tolist()
     text = TextIOWrapper(file, encoding="utf-8", newline="")
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(header)
@@ -50,13 +54,13 @@ def _write_csv(trace: Trace, file: BinaryIO) -> None:
 
 
 def _write_npz(trace: Trace, file: BinaryIO) -> None:
-    units = [trace.units[name] for name in trace.names]
+    columns = table(trace)
     np.savez_compressed(
         file,
         ticks=trace.ticks,
-        values=trace.values,
-        names=np.array(trace.names, dtype=np.str_),
-        units=np.array(units, dtype=np.str_),
+        values=columns.values,
+        names=np.array(columns.names, dtype=np.str_),
+        units=np.array(columns.units, dtype=np.str_),
     )
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Source, Span
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.loop.trace import Trace, Values
+from fcl_sim.loop.trace_columns import Table, parted
 from fcl_sim.units import Unit, UnitError, parse_unit
 
 TIME = "time"
@@ -60,7 +61,14 @@ def parse_csv(source: Source) -> Trace:
 
 
 def _trace(ticks: NDArray[np.int64], names: Sequence[str], units: Sequence[str], values: Values) -> Trace:
-    return Trace(ticks=ticks, names=tuple(names), units=dict(zip(names, units, strict=True)), values=values)
+    signals, records = parted(Table(tuple(names), tuple(units), values))
+    return Trace(
+        ticks=ticks,
+        names=signals.names,
+        units=dict(zip(signals.names, signals.units, strict=True)),
+        values=signals.values,
+        fuzzy=records,
+    )
 
 
 def _header(source: Source, cells: Sequence[str]) -> tuple[list[str], list[str]]:

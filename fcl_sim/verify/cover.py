@@ -25,7 +25,7 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Visit:
-    """What a run recorded of a fuzzy block: `run` is what to call it, `ticks` (n,) the times in nanoseconds."""
+    """What a run recorded of a fuzzy block; `run` is its name, `ticks` (n,) are nanoseconds."""
 
     run: str
     ticks: NDArray[np.int64]

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.loop.trace import Trace
+from fcl_sim.loop.trace import FuzzyRecord, Trace
 from fcl_sim.loop.trace_file import write
 from fcl_sim.loop.trace_reader import read
 
@@ -22,6 +22,52 @@ def test_what_was_written_is_read_back_to_the_last_bit(tmp_path, name):
     assert (found.names, dict(found.units)) == (TRACE.names, dict(TRACE.units))
     assert found.ticks.tolist() == TICKS.tolist()
     assert np.array_equal(found.values, VALUES, equal_nan=True)
+
+
+def of_rules(outputs, cold=()):
+    """Return a record of three samples of the block `rules`, with two rules of one label."""
+    return FuzzyRecord(
+        input_names=("distance", "color.brown"),
+        output_names=outputs,
+        rule_labels=("3a", "3a (2)", "No 1.(x)"),
+        inputs=np.array([[1.0, 0.1], [2.0, np.nan], [3.0, 1e-300]]),
+        outputs=np.arange(3.0 * len(outputs)).reshape(3, -1),
+        degrees=np.linspace(0.0, 1.0, 9).reshape(3, 3),
+        active=np.array([[True], [False], [True]]) & np.ones(len(outputs), np.bool_),
+        cold=cold,
+        units={"distance": "m", "color.brown": "", **dict.fromkeys(outputs, "kW")},
+    )
+
+
+@pytest.mark.parametrize("name", ["x.csv", "x.npz"])
+@pytest.mark.parametrize(
+    ("signals", "record"),
+    [
+        (("crane.distance", "rules"), of_rules(("power",))),
+        (("crane.distance", "rules"), of_rules(("power",), cold=(1, 2))),
+        (("crane.distance", "rules.brake", "rules.power"), of_rules(("power", "brake"))),
+    ],
+)
+def test_what_was_recorded_of_the_rules_is_read_back_with_the_signals(tmp_path, name, signals, record):
+    outputs = dict(zip(record.output_names, record.outputs.T, strict=True))
+    columns = [outputs.get(each.removeprefix("rules."), record.outputs[:, 0]) for each in signals]
+    units = dict.fromkeys(signals, "kW") | {"crane.distance": "m"}
+    write(Trace(TICKS, signals, units, np.column_stack(columns), {"rules": record}), tmp_path / name)
+    found = read(tmp_path / name)
+    assert (found.names, dict(found.units)) == (signals, units)
+    assert np.array_equal(found.values, np.column_stack(columns))
+    back = found.fuzzy["rules"]
+    for part in ("inputs", "outputs", "degrees", "active"):
+        assert np.array_equal(getattr(back, part), getattr(record, part), equal_nan=part != "active")
+    for part in ("input_names", "output_names", "rule_labels", "cold", "units"):
+        assert getattr(back, part) == getattr(record, part)
+
+
+def test_columns_that_make_no_whole_record_are_signals(tmp_path):
+    text = "time [s],rules.active(power) [1],rules.degree(1) [1]\n0,1,0.5\n"
+    found = recorded(tmp_path, text)
+    assert found.names == ("rules.active(power)", "rules.degree(1)")
+    assert not found.fuzzy
 
 
 @given(st.lists(st.integers(0, 10**15), min_size=1, max_size=30, unique=True))
