@@ -1,6 +1,6 @@
 """The one sequence: read, bind, wire, run, judge, compare with the baseline."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -22,11 +22,16 @@ from fcl_sim.loop.wiring import wire
 from fcl_sim.scenario import baseline_file
 from fcl_sim.scenario.bench import bench_of
 from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements, setup_called
+from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 from fcl_sim.scenario.references import reference_signals
 from fcl_sim.verify.cause import Cause, cause_of, with_rule_bases
+from fcl_sim.verify.cover import LEAST, Visit, cover
+from fcl_sim.verify.coverage import Coverage, Item, merged, waived
 from fcl_sim.verify.record import Acceptance, record
+from fcl_sim.verify.subject import of_node
+from fcl_sim.verify.waivers import Waiver, waivers_of
 
 __all__ = [
     "BASE",
@@ -39,6 +44,7 @@ __all__ = [
     "against_rule_bases",
     "against_scenario",
     "bench_of",
+    "coverage",
     "judge_trace",
     "open_loop",
     "prepare",
@@ -318,3 +324,32 @@ def _acceptable(scenario: Scenario, run: Run) -> None:
     if fault is not None:
         message = f"{name} ended at {fault.tick / 1e9:g} s: {fault.reason}"
         raise InputFault.at_file("RUN108", file, message, "a run that broke down is no reference: mend it")
+
+
+def coverage(outcomes: Iterable[Outcome], least: float = LEAST) -> tuple[Coverage, ...]:
+    """Return how far runs have exercised each rule base, with its waivers, in the order of their first use.
+
+    `least` is the part of an output's range by which a decisive rule changes
+    it. InputFault with every fault of the files of waivers.
+    """
+    parts: dict[tuple[Path, str], list[Coverage]] = {}
+    benches: dict[Path, Path] = {}
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            for node in [each for each in run.diagram.nodes if isinstance(each, FuzzyNode)]:
+                file = outcome.scenario.variants[run.variant].rule_bases[node.name]
+                benches.setdefault(file, outcome.scenario.bench)
+                label = f"{outcome.scenario.name}/{run.variant}"
+                visit = Visit(run=label, ticks=run.trace.ticks, record=run.trace.fuzzy[node.name])
+                found = cover(of_node(node), visit, least, shown(file))
+                parts.setdefault((file, found.name), []).append(found)
+    faults: dict[Diagnostic, None] = {}
+    waivers: dict[Path, tuple[Waiver, ...]] = {}
+    for file, bench in benches.items():
+        try:
+            waivers[file] = waivers_of(file, bench, [*Item])
+        except InputFault as fault:
+            faults.update(dict.fromkeys(fault.diagnostics))
+    if faults:
+        raise InputFault(faults)
+    return tuple(waived(merged(own), waivers[file]) for (file, _), own in parts.items())

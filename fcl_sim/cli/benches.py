@@ -4,11 +4,14 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
+from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.plant.catalog import shipped_bench
 from fcl_sim.scenario.baseline_file import BASELINES
+from fcl_sim.verify.waivers import ENDING as WAIVERS
 
 PACKAGE = Path(__file__).parents[1]
-CONTROLLER = ".controller.toml"
+NO_SCENARIOS = (".controller.toml", WAIVERS)
+"""Endings of the other files in TOML that stand beside scenarios."""
 
 
 def bench_here(folder: Path) -> Path | None:
@@ -41,7 +44,7 @@ def scenario_files(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     """Return the scenario files under `paths`, of the default bench where none are given.
 
     A folder stands for the `*.toml` files below it (below its `scenarios/`
-    where it is a bench), controllers and baselines excepted. InputFault names every path
+    where it is a bench), controllers, baselines and waivers excepted. InputFault names every path
     that is missing or has no scenario.
     """
     found: dict[Path, None] = {}
@@ -63,14 +66,14 @@ def _is_named(path: Path) -> bool:
 def _below(folder: Path) -> Iterator[Path]:
     bench = folder / "scenarios"
     for file in sorted((bench if bench.is_dir() else folder).rglob("*.toml")):
-        if not file.name.endswith(CONTROLLER) and file.parent.name != BASELINES:
+        if not file.name.endswith(NO_SCENARIOS) and file.parent.name != BASELINES:
             yield file
 
 
 def _nothing(path: Path) -> Diagnostic:
     places = (Place(file=str(path)),)
     if path.is_dir():
-        hint = f"a scenario is a .toml file whose name does not end in {CONTROLLER}"
+        hint = f"a scenario is a .toml file whose name does not end in {listed(NO_SCENARIOS)}"
         return Diagnostic(
             code="RUN105", message="there is no scenario below this folder", places=places, hint=hint
         )

@@ -9,6 +9,7 @@ import click
 from fcl_sim import testbench
 from fcl_sim.cli.against import against, print_against
 from fcl_sim.cli.benches import reports_folder, scenario_files
+from fcl_sim.cli.coverage import check_waivers, met, print_coverage
 from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.progress import progress
 from fcl_sim.cli.regressions import exit_code, print_regressions
@@ -16,10 +17,12 @@ from fcl_sim.cli.table import console, print_verdicts
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.jit import cache_folder
 from fcl_sim.loop import trace_file
-from fcl_sim.report import results, summary, writer
+from fcl_sim.report import coverage_words, results, summary, writer
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.overrides import setting
 from fcl_sim.testbench import Outcome
+from fcl_sim.verify.cover import LEAST
+from fcl_sim.verify.coverage import Coverage, Item
 
 
 def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ...]) -> dict[str, object]:
@@ -56,7 +59,23 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
     metavar="REV|OLD.fcl",
     help="Show every figure and signal beside those of a git revision, or of an older rule base.",
 )
-def command(  # noqa: PLR0913  each is an option of the command line
+@click.option("--coverage", "show_coverage", is_flag=True, help="Tell how far each rule was exercised.")
+@click.option(
+    "--require-coverage",
+    "required",
+    type=click.Choice([*Item]),
+    help="Leave with 1 unless every rule fired, was dominant or was decisive, or is waived.",
+)
+@click.option(
+    "--decisive-by",
+    "least",
+    type=click.FloatRange(0.0, 1.0, max_open=True),
+    metavar="PART",
+    default=LEAST,
+    show_default=True,
+    help="Part of its range by which an output must change without a rule for it to be decisive.",
+)
+def command(  # noqa: PLR0913  an option each
     *,
     paths: tuple[Path, ...],
     overrides: dict[str, object],
@@ -65,6 +84,9 @@ def command(  # noqa: PLR0913  each is an option of the command line
     as_json: bool,
     trace: Path | None,
     older: str | None,
+    show_coverage: bool,
+    required: str | None,
+    least: float,
 ) -> Exit:
     """Simulate scenarios in closed loop, judge them, write reports.
 
@@ -85,16 +107,32 @@ def command(  # noqa: PLR0913  each is an option of the command line
             print_against(outcomes, older, console())
     if faults:
         raise InputFault(faults)  # no report either: it would not say what is missing
+    covered = testbench.coverage(outcomes, least)
+    check_waivers(covered)
     if as_json:
-        click.echo(results.text(outcomes), nl=False)
+        click.echo(results.text(outcomes, covered), nl=False)
+    else:
+        _print_coverage(covered, whole=show_coverage)
     written = _write_traces(outcomes, trace) if trace else []
     if folder:
-        written += _write_report(outcomes, folder)[:1]
+        written += _write_report(outcomes, folder, covered)[:1]
     for file in written:
         click.echo(f"written: {shown(file)}", err=as_json)
     seconds = (simulated - begun, perf_counter() - simulated)
     click.echo("simulation {:.1f} s, writing {:.1f} s".format(*seconds), err=as_json)
-    return exit_code(outcomes)
+    code = exit_code(outcomes)
+    if code is Exit.GREEN and required and not met(covered, Item(required)):
+        return Exit.VERDICT
+    return code
+
+
+def _print_coverage(covered: Sequence[Coverage], *, whole: bool) -> None:
+    if whole:
+        click.echo()
+        print_coverage(covered, console())
+    told = coverage_words.sentence(covered)
+    if told:
+        click.echo(told if whole else f"{told} (--coverage tells which)")
 
 
 def _simulate(
@@ -139,6 +177,6 @@ def _write_traces(outcomes: Sequence[Outcome], file: Path) -> list[Path]:
     return written
 
 
-def _write_report(outcomes: Sequence[Outcome], folder: Path) -> list[Path]:
+def _write_report(outcomes: Sequence[Outcome], folder: Path, covered: Sequence[Coverage]) -> list[Path]:
     with progress("writing reports") as advance:
-        return writer.write(outcomes, folder, advance)
+        return writer.write(outcomes, folder, advance, covered)

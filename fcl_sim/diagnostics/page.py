@@ -25,6 +25,7 @@ FAMILIES = {
     "PLT": "Plants",
     "RUN": "The run and its surroundings",
     "SCN": "Scenarios and controllers",
+    "VER": "Coverage, waivers and replays",
     "WIR": "Wiring of a loop",
 }
 """By the beginning of their codes; those without a code are not shown."""

@@ -11,6 +11,7 @@ from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.model import Defuzzification, RuleBlock
 from fcl_sim.report import baselines, beside, characteristics, pictures, summary
+from fcl_sim.report.coverage_matrix import matrix
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of, rule_base
 from fcl_sim.report.results import versions
@@ -28,6 +29,7 @@ from fcl_sim.report.words import (
     with_unit,
 )
 from fcl_sim.testbench import Outcome, Run
+from fcl_sim.verify.coverage import Coverage
 
 Data = dict[str, Any]
 
@@ -49,8 +51,11 @@ MOST_SUBJECTS = 3
 """Plants that a title names; of more it gives the number of scenarios."""
 
 
-def report_data(outcomes: Sequence[Outcome], register: Register) -> Data:
-    """Return the report's data; every picture in it goes through `register`."""
+def report_data(outcomes: Sequence[Outcome], register: Register, covered: Sequence[Coverage] = ()) -> Data:
+    """Return the report's data; every picture in it goes through `register`.
+
+    `covered` is how far the runs have exercised the rule bases.
+    """
     status = summary.overall(outcomes)
     return {
         "title": one_line(_title(outcomes)),
@@ -65,7 +70,7 @@ def report_data(outcomes: Sequence[Outcome], register: Register) -> Data:
         "provenance": _provenance(outcomes),
         "scenarios": [_scenario(outcome, f"s{index}", register) for index, outcome in enumerate(outcomes)],
         "depth": 2 if sum(len(each.variants) + 3 for each in outcomes) < MOST_ENTRIES else 1,
-        "rule_bases": _rule_bases(rule_bases(outcomes), register),
+        "rule_bases": _rule_bases(rule_bases(outcomes), register, covered),
     }
 
 
@@ -312,12 +317,15 @@ def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
     return [Base(file=file, node=node, records=records) for file, node, records in found.values()]
 
 
-def _rule_bases(bases: Sequence[Base], register: Register) -> list[Data]:
+def _rule_bases(bases: Sequence[Base], register: Register, covered: Sequence[Coverage]) -> list[Data]:
     names = [base.node.block.name for base in bases]
-    return [
-        _rule_base(base, f"r{index}", register, namesakes=names.count(base.node.block.name) > 1)
-        for index, base in enumerate(bases)
-    ]
+    by_file = {(each.name, each.file): each for each in covered}
+    parts = []
+    for index, base in enumerate(bases):
+        part = _rule_base(base, f"r{index}", register, namesakes=names.count(base.node.block.name) > 1)
+        own = by_file.get((base.node.block.name, base.file.name))
+        parts.append(part | {"coverage": None if own is None else matrix(own)})
+    return parts
 
 
 def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) -> Data:

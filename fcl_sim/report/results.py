@@ -18,21 +18,27 @@ from fcl_sim.report.baseline_json import beside_baseline
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
 from fcl_sim.scenario.model import Scenario
-from fcl_sim.testbench import Against, Outcome, Run
+from fcl_sim.testbench import Against, Outcome, Run, coverage
+from fcl_sim.verify.coverage import Coverage
+from fcl_sim.verify.coverage_json import as_json
 
 SCHEMA = 1
 
 Json = dict[str, Any]
 
 
-def document(outcomes: Sequence[Outcome]) -> Json:
-    """Return the results of a run as JSON's types: scenarios, variants, verdicts, hashes, versions."""
+def document(outcomes: Sequence[Outcome], covered: Sequence[Coverage] | None = None) -> Json:
+    """Return the results of a run as JSON's types: scenarios, variants, verdicts, hashes, versions, coverage.
+
+    `covered` is the coverage of the outcomes, where it is known.
+    """
     return {
         "schema": SCHEMA,
         "tool": "fcl_sim",
         "versions": versions(),
         "verdict": str(overall(outcomes)),
         "scenarios": [_scenario(outcome) for outcome in outcomes],
+        "coverage": [as_json(each) for each in (coverage(outcomes) if covered is None else covered)],
     }
 
 
@@ -51,9 +57,9 @@ def recorded(trace: str, scenario: Scenario, variant: str, verdicts: Sequence[Ve
     return printed(made)
 
 
-def text(outcomes: Sequence[Outcome]) -> str:
+def text(outcomes: Sequence[Outcome], covered: Sequence[Coverage] | None = None) -> str:
     """Return the document as text, the same from the same inputs."""
-    return printed(document(outcomes))
+    return printed(document(outcomes, covered))
 
 
 def printed(made: Json) -> str:

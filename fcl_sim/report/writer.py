@@ -13,7 +13,8 @@ from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.provenance import date_of
 from fcl_sim.report.vector import svg
-from fcl_sim.testbench import Outcome
+from fcl_sim.testbench import Outcome, coverage
+from fcl_sim.verify.coverage import Coverage
 
 PDF = "report.pdf"
 RESULTS = "results.json"
@@ -23,20 +24,27 @@ LONGEST = 80
 Progress = Callable[[int, int], None]
 
 
-def write(outcomes: Sequence[Outcome], folder: Path, progress: Progress | None = None) -> list[Path]:
+def write(
+    outcomes: Sequence[Outcome],
+    folder: Path,
+    progress: Progress | None = None,
+    covered: Sequence[Coverage] | None = None,
+) -> list[Path]:
     """Write the report of a run into `folder`; return its files, the PDF first.
 
     Everything is made in a hidden folder inside `folder` and moved into place
     at the end, file by file, so a run that is killed leaves old files or new
     ones, none half-written. `progress` is called with the pictures drawn and
-    their number. InputFault where the system refuses.
+    their number; `covered` is the coverage of the outcomes, where it is known.
+    InputFault where the system refuses.
     """
     date = date_of(outcomes)
+    known = coverage(outcomes) if covered is None else covered
     try:
         with workplace(folder) as work:
             shelf = Shelf()
-            data = report_data(outcomes, shelf.add)
-            (work / RESULTS).write_text(results.text(outcomes), encoding="utf-8")
+            data = report_data(outcomes, shelf.add, known)
+            (work / RESULTS).write_text(results.text(outcomes, known), encoding="utf-8")
             (work / "report.json").write_text(json.dumps(data), encoding="utf-8")
             shelf.draw(work, progress or _silent)
             (work / PDF).write_bytes(typeset.pdf(work, date))

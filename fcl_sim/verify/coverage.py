@@ -7,6 +7,9 @@ from functools import reduce
 from itertools import product
 from math import prod
 
+from fcl_sim.diagnostics import Diagnostic
+from fcl_sim.verify.waivers import Waiver, unknown_rules, unused
+
 Combination = tuple[int, ...]
 """A term of each input of the grid, by its place."""
 
@@ -121,7 +124,8 @@ class Coverage:
     """How far `runs` have exercised a rule base in `scans` scans.
 
     `name` is that of the function block, `file` the one it was read from;
-    `least` is the part of an output's range by which a decisive rule changes it.
+    `least` is the part of an output's range by which a decisive rule changes it;
+    `waivers` are those of items of its rules.
     """
 
     name: str
@@ -133,6 +137,18 @@ class Coverage:
     inputs: tuple[InputCoverage, ...]
     grid: GridCoverage
     outputs: tuple[OutputCoverage, ...]
+    waivers: tuple[Waiver, ...] = ()
+
+    def waiver(self, rule: RuleCoverage, item: Item) -> Waiver | None:
+        """Return what waives an item of a rule, or of one that never fires that it need not fire."""
+        items = {str(item)} if rule.fired.scans else {str(item), str(Item.FIRED)}
+        label = rule.label.casefold()
+        found = (each for each in self.waivers if each.rule.casefold() == label and each.what in items)
+        return next(found, None)
+
+    def unmet(self, item: Item) -> tuple[RuleCoverage, ...]:
+        """Return the rules of which an item was never seen, and is not waived."""
+        return tuple(each for each in self.lacking(item) if self.waiver(each, item) is None)
 
     def having(self, item: Item) -> tuple[RuleCoverage, ...]:
         """Return the rules of which an item was seen."""
@@ -141,6 +157,28 @@ class Coverage:
     def lacking(self, item: Item) -> tuple[RuleCoverage, ...]:
         """Return the rules of which an item was never seen."""
         return tuple(each for each in self.rules if not each.seen(item).scans)
+
+
+def waived(coverage: Coverage, waivers: Sequence[Waiver]) -> Coverage:
+    """Return the coverage with the waivers of its rule base that are about items of its rules."""
+    return replace(coverage, waivers=tuple(each for each in waivers if each.what in set(Item)))
+
+
+def waiver_findings(coverages: Sequence[Coverage]) -> tuple[Diagnostic, ...]:
+    """Return what is wrong with the waivers of one rule base: rules it does not have, waivers without use.
+
+    `coverages` are those of the function blocks that stand in its file.
+    """
+    waivers = tuple(dict.fromkeys(each for coverage in coverages for each in coverage.waivers))
+    rules = [rule for coverage in coverages for rule in coverage.rules]
+    faults = list(unknown_rules(waivers, [rule.label for rule in rules]))
+    for each in waivers:
+        own = [rule for rule in rules if rule.label.casefold() == each.rule.casefold()]
+        if own and all(rule.seen(Item(each.what)).scans for rule in own):
+            first = own[0].seen(Item(each.what)).first
+            at = f" at {first.tick / 1e9:.9g} s in {first.run}" if first else ""
+            faults.append(unused(each, f"rule {each.rule} is {each.what}{at}"))
+    return tuple(faults)
 
 
 def merged(parts: Sequence[Coverage]) -> Coverage:

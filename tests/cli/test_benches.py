@@ -68,7 +68,7 @@ def test_every_path_without_a_scenario_is_named(bench):
         scenario_files((empty, missing, bench / "no" / "where"))
     assert str(caught.value).splitlines() == [
         f"{empty}: error[RUN105]: there is no scenario below this folder",
-        "  hint: a scenario is a .toml file whose name does not end in .controller.toml",
+        "  hint: a scenario is a .toml file whose name does not end in .controller.toml or .waivers.toml",
         f"{missing}: error[RUN105]: there is no such file or folder",
         f"  hint: did you mean {bench / 'scenarios' / 'tank.toml'}?",
         f"{bench / 'no' / 'where'}: error[RUN105]: there is no such file or folder",
