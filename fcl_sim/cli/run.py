@@ -63,7 +63,7 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 @click.option(
     "--require-coverage",
     "required",
-    type=click.Choice([*Item]),
+    type=click.Choice([each.value for each in Item]),
     help="Leave with 1 unless every rule fired, was dominant or was decisive, or is waived.",
 )
 @click.option(

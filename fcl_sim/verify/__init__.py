@@ -1,4 +1,4 @@
-"""What needs the rule base as well as the run: coverage, replay, mutants, baselines kept, why two runs differ.
+"""What needs the rule base as well as the run: coverage, replay, mutants, baselines, why two runs differ.
 
 In: a Diagram with its function blocks, Blocks, what traces and logs recorded of them, Verdicts; texts
 in FCL. Out: findings and records as data. May import judge, loop, block, fcl, engine and below; it
