@@ -97,5 +97,5 @@ $(fuzz_stamp): $(run_stamp) requirements-fuzz.lock
 
 $(test_stamp): $(run_stamp) requirements.lock
 	@echo "Adding what the tests need ..."
-	@$(install) --require-hashes --requirement requirements.lock
+	@$(install) --require-hashes --no-build-isolation --use-pep517 --requirement requirements.lock
 	@touch $@

@@ -48,7 +48,7 @@ def heating(rules=RULES, default="NC", kind="LREAL"):
 
 
 def recorded(block, arithmetic, points, cold=()):
-    """Return what an instance gives that is called point by point, and begins anew before the samples `cold`."""
+    """Return what an instance gives that is called point by point, and begins anew before `cold`."""
     parts = []
     for start, end in pairwise((0, *cold, len(points))):
         instance = block.instance(arithmetic)
