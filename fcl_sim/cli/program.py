@@ -54,9 +54,9 @@ class Program(Doors):
     cls=Program,
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog=(
-        "Exit codes: 0 all green; 1 a verdict other than PASS; 2 wrong usage; 3 an input or the environment "
-        "(a file, the disk); 4 a run that leaves its baseline, or has none; 70 a mistake in fcl_sim itself; "
-        "130 interrupted."
+        "Exit codes: 0 all green; 1 a verdict other than PASS, or a deviation; 2 wrong usage; 3 an input or "
+        "the environment (a file, the disk); 4 a run that leaves its baseline, or has none; 70 a mistake in "
+        "fcl_sim itself; 130 interrupted."
     ),
 )
 @click.version_option(__version__, prog_name="fcl-sim", message="%(prog)s %(version)s")
