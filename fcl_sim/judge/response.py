@@ -20,12 +20,34 @@ def crossing(time: Values, values: Values, level: float, before: int) -> float:
     return float(time[before] + ahead * (time[before + 1] - time[before]))
 
 
-def settling_time(time: Values, values: Values, *, final: float, band: float) -> float:
+def settling_time(
+    time: Values,
+    values: Values,
+    *,
+    final: float,
+    band: float = math.inf,
+    part: float = math.inf,
+    initial: float | None = None,
+) -> float:
     """Return when |values - final| <= band begins to hold for good; inf where the last sample is outside.
+
+    `part` is a band, too, as part of the way from `initial` to `final`; of both the
+    narrower one counts. NaN where there is only a part, and no way to go.
 
     >>> settling_time(np.arange(4.0), np.array([4.0, 2.0, 0.0, 0.0]), final=0.0, band=0.5)
     1.75
+    >>> settling_time(np.arange(4.0), np.array([4.0, 2.0, 0.0, 0.0]), final=0.0, part=0.125)
+    1.75
     """
+    way = abs(final - (float(values[0]) if initial is None else initial))
+    if math.isfinite(part):
+        if way == 0.0 and math.isinf(band):
+            return math.nan
+        band = min(band, part * way) if way else band
+    return _settled_in(time, values, final, band)
+
+
+def _settled_in(time: Values, values: Values, final: float, band: float) -> float:
     outside = np.flatnonzero(np.abs(values - final) > band)
     if outside.size == 0:
         return 0.0
@@ -104,13 +126,16 @@ def transient_time(time: Values, values: Values, *, final: float, part: float) -
     >>> transient_time(np.arange(4.0), np.array([-1.0, 4.0, 0.0, 0.0]), final=0.0, part=0.25)
     1.75
     """
-    return settling_time(time, values, final=final, band=part * float(np.max(np.abs(values - final))))
+    return _settled_in(time, values, final, part * float(np.max(np.abs(values - final))))
 
 
 def _settled(bound: Bound, window: Window, arguments: Mapping[str, float]) -> Limits | None:
     if bound.maximum is None:
         return None
-    final, band = arguments["final"], arguments["band"]
+    final, band = arguments["final"], arguments.get("band", math.inf)
+    way = abs(final - arguments.get("initial", window.first))
+    if "part" in arguments and way:
+        band = min(band, arguments["part"] * way)
     return Limits(low=final - band, high=final + band, start=bound.maximum, end=window.length)
 
 
@@ -149,9 +174,16 @@ RESPONSE = (
         definition="time from the start of the window until the signal stays within final ± band "
         "to the end of the window; the crossing is interpolated linearly between two scans",
         unit=UnitRule(time=1),
-        arguments=(FINAL, Argument("band", Kind.DIFFERENCE, "largest distance from the final value")),
+        arguments=(
+            FINAL,
+            Argument("band", Kind.DIFFERENCE, "largest distance from the final value", optional=True),
+            Argument("part", Kind.NUMBER, "the band as part of the way from initial to final", optional=True),
+            INITIAL,
+        ),
         never="settle",
+        undefined=NO_MOTION,
         limits=_settled,
+        any_of=("band", "part"),
     ),
     Metric(
         name="rise_time",

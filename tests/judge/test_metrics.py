@@ -1,5 +1,7 @@
 """Metrics equal their closed forms, are right where others divide by zero, and say what they compute."""
 
+import cmath
+import itertools
 import math
 
 import control
@@ -8,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from scipy.optimize import brentq
 
 from fcl_sim.judge.extent import (
     final_error,
@@ -19,7 +22,7 @@ from fcl_sim.judge.extent import (
     peak,
     steady_state_error,
 )
-from fcl_sim.judge.integral import iae, ise, itae
+from fcl_sim.judge.integral import iae, ise, itae, itse
 from fcl_sim.judge.metric import Bound, Kind
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.response import overshoot, rise_time, settling_time
@@ -59,6 +62,67 @@ def test_a_second_order_response_has_its_closed_forms(damping: float) -> None:
     assert maximum(time, values) == pytest.approx(1 + expected, abs=1e-6)
     outside = time[np.abs(values - 1) > 0.05][-1]
     assert 0 < settling_time(time, values, final=1.0, band=0.05) - outside < time[1]
+
+
+def pieces(damping: float, power: int) -> list[complex]:
+    """Return the integrals of t**power exp(s t + i phase) from zero to zero of a second-order error.
+
+    The first piece begins at 0; s = -damping + i sqrt(1 - damping²), the natural frequency is 1, and the
+    error is the imaginary part over sqrt(1 - damping²).
+    """
+    damped, phase = math.sqrt(1 - damping**2), math.acos(damping)
+    s = complex(-damping, damped)
+
+    def primitive(t: float) -> complex:
+        return cmath.exp(s * t + 1j * phase) * (1 / s if power == 0 else t / s - 1 / s**2)
+
+    zeros = [0.0, *((k * math.pi - phase) / damped for k in range(1, 200))]
+    return [primitive(end) - primitive(start) for start, end in itertools.pairwise(zeros)]
+
+
+@pytest.mark.parametrize("damping", [0.2, 0.5, 0.8])
+def test_the_whole_of_a_second_order_response_has_its_closed_forms(damping: float) -> None:
+    """With unit natural frequency; the integrals of the squares are by Parseval, the others zero by zero."""
+    time = np.linspace(0.0, 100.0, 200_001)
+    damped, phase = math.sqrt(1 - damping**2), math.acos(damping)
+
+    def error(t):
+        return np.exp(-damping * t) / damped * np.sin(damped * t + phase)
+
+    values = 1 - error(time)
+    square = 1 / (4 * damping**2) - (cmath.exp(2j * phase) / (2 * damping - 2j * damped) ** 2).real
+    assert iae(time, values, final=1.0) == pytest.approx(
+        sum(abs(each.imag) for each in pieces(damping, 0)) / damped, abs=1e-6
+    )
+    assert itae(time, values, final=1.0) == pytest.approx(
+        sum(abs(each.imag) for each in pieces(damping, 1)) / damped, abs=1e-6
+    )
+    assert ise(time, values, final=1.0) == pytest.approx((1 + 4 * damping**2) / (4 * damping), abs=1e-6)
+    assert itse(time, values, final=1.0) == pytest.approx(square / (2 * damped**2), abs=1e-6)
+    peak_at = math.pi / damped
+    low, high = (brentq(lambda t, part=part: 1 - error(t) - part, 0.0, peak_at) for part in (0.1, 0.9))
+    assert rise_time(time, values, final=1.0, low=0.1, high=0.9) == pytest.approx(high - low, abs=1e-6)
+    band = 0.05
+    ends = [k * peak_at for k in range(200)]  # the extremes of the error: between two, it is monotonic
+    last = max(k for k, each in enumerate(ends) if abs(error(each)) > band)
+    edge = math.copysign(band, error(ends[last]))
+    settled = brentq(lambda t: error(t) - edge, ends[last], ends[last + 1])
+    assert settling_time(time, values, final=1.0, band=band) == pytest.approx(settled, abs=1e-6)
+    assert settling_time(time, values, final=1.0, part=band) == pytest.approx(settled, abs=1e-6)
+
+
+def test_a_band_may_be_a_part_of_the_way_and_of_both_the_narrower_counts() -> None:
+    time = np.linspace(0.0, 40.0, 40_001)
+    values = 20.0 - 4.0 * np.exp(-time)
+    assert settling_time(time, values, final=20.0, part=0.02) == pytest.approx(math.log(50), abs=1e-6)
+    assert settling_time(time, values, final=20.0, part=0.02, initial=10.0) == pytest.approx(
+        math.log(4 / 0.2), abs=1e-6
+    )
+    assert settling_time(time, values, final=20.0, part=0.5, band=0.04) == pytest.approx(
+        math.log(100), abs=1e-6
+    )
+    assert math.isnan(settling_time(time, values, final=16.0, part=0.02))
+    assert settling_time(time, 0 * time, final=0.0, part=0.02, band=0.1) == 0.0
 
 
 @pytest.mark.parametrize("damping", [0.2, 0.5, 1.5])
