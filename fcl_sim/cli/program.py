@@ -14,7 +14,7 @@ COMMANDS = {
     "baseline": "Accept what runs come to, as the baseline for the next ones; show what was accepted.",
     "judge": "Judge a recorded trace by the requirements of a scenario.",
     "mutate": "Change one thing at a time in the rule bases, and see which changes the bench notices.",
-    "replay": "Put recorded inputs through a rule base, compare its outputs.",
+    "replay": "Put recorded inputs through a rule base and compare its outputs with the recorded ones.",
     "eval": "Evaluate a rule base once.",
     "plot": "Draw membership functions and the characteristic curve or surface.",
     "check": "Read rule bases and list what is wrong with them.",
