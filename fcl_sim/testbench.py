@@ -10,6 +10,9 @@ from typing import Any
 
 from fcl_sim.block import Block, load
 from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.envelope.envelope import Envelope
+from fcl_sim.envelope.execute import execute
+from fcl_sim.envelope.plan import Plan, plan
 from fcl_sim.judge.baseline import Baseline, Comparison
 from fcl_sim.judge.compare import compare
 from fcl_sim.judge.judge import judge
@@ -62,6 +65,8 @@ class Run:
 
     `compared` is the run beside its baseline; None where it was not compared,
     as one with overrides is not. `cause` is why it left its baseline, where it did.
+    `verdicts` are those on the nominal run, `envelope` has those over the points of
+    its grid, where it has one; `verdict` is the gravest of both.
     """
 
     variant: str
@@ -73,6 +78,7 @@ class Run:
     seconds: float
     compared: Comparison | None = None
     cause: Cause | None = None
+    envelope: Envelope | None = None
 
     @property
     def metrics(self) -> Mapping[str, float | None]:
@@ -132,6 +138,7 @@ class Prepared:
     baseline: Baseline | None = None
     references: tuple[str, ...] | None = None
     is_compared: bool = False
+    envelope: Plan | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,14 +150,15 @@ class Update:
     after: Baseline
 
 
-def run(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Outcome:
-    """Return what comes of a scenario file: every variant simulated and judged.
+def run(path: Path | str, overrides: Mapping[str, Any] | None = None, workers: int | None = None) -> Outcome:
+    """Return what comes of a scenario file: every variant simulated and judged, with its envelope.
 
     `overrides` by dotted key are laid over the file:
     `{"plant.parameters.load_mass": "10 t"}`. InputFault carries every fault of
-    the scenario and the files it names, before anything is simulated.
+    the scenario and the files it names, before anything is simulated. An
+    envelope is run on `workers` threads, else on one for each processor.
     """
-    return run_scenario(read(path, overrides))
+    return run_scenario(read(path, overrides), workers)
 
 
 def open_loop(
@@ -166,18 +174,21 @@ def open_loop(
     return OpenLoop(wire(_prepare(found, variant, load).diagram))
 
 
-def run_scenario(scenario: Scenario) -> Outcome:
+def run_scenario(scenario: Scenario, workers: int | None = None) -> Outcome:
     """Return what comes of a scenario that was read."""
-    runs = run_together(prepare(scenario))
+    runs = run_together(prepare(scenario), workers)
     verdict = worst([each.verdict for each in runs.values()])
     return Outcome(scenario=scenario, variants=runs, verdict=verdict)
 
 
-def run_together(prepared: Sequence[Prepared]) -> Mapping[str, Run]:
+def run_together(prepared: Sequence[Prepared], workers: int | None = None) -> Mapping[str, Run]:
     """Return what comes of the variants of a scenario by name, each judged beside the others."""
     simulated = {each.variant: (each, *_simulated(each)) for each in prepared}
     traces = {variant: trace for variant, (_, trace, _) in simulated.items()}
-    runs = {variant: _judged(*each, traces) for variant, each in simulated.items()}
+    runs = {
+        variant: _with_envelope(_judged(*each, traces), each[0].envelope, workers)
+        for variant, each in simulated.items()
+    }
     return MappingProxyType(runs)
 
 
@@ -232,15 +243,17 @@ def prepare(scenario: Scenario, *, is_compared: bool = True) -> tuple[Prepared, 
 
 
 def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepared:
+    setup = scenario.variants[variant]
     diagram = bind(scenario, variant, load_block)
     units = {name: unit.symbol for name, unit in wire(diagram).units.items()}
-    check_inputs(scenario, variant, units)
+    check_inputs(setup, units)
     return Prepared(
         variant=variant,
-        title=scenario.variants[variant].title,
+        title=setup.title,
         diagram=diagram,
         requirements=requirements(scenario, variant, units),
         references=reference_signals(scenario, variant, units),
+        envelope=plan(scenario, setup, load_block) if setup.vary else None,
     )
 
 
@@ -261,6 +274,14 @@ def judge_trace(trace: Trace, scenario: Scenario, variant: str = BASE) -> tuple[
 def run_prepared(prepared: Prepared) -> Run:
     """Return what comes of one variant alone: simulated, judged; nothing is held against other runs."""
     return _judged(prepared, *_simulated(prepared), {})
+
+
+def _with_envelope(run: Run, planned: Plan | None, workers: int | None) -> Run:
+    if planned is None:
+        return run
+    envelope = execute(planned, workers)
+    judged = [each.status for each in (*run.verdicts, *envelope.verdicts)]
+    return replace(run, envelope=envelope, verdict=worst(judged))
 
 
 def _simulated(prepared: Prepared) -> tuple[Trace, float]:

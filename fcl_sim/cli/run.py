@@ -13,7 +13,7 @@ from fcl_sim.cli.coverage import check_waivers, met, print_coverage
 from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.progress import progress
 from fcl_sim.cli.regressions import exit_code, print_regressions
-from fcl_sim.cli.table import console, print_verdicts
+from fcl_sim.cli.table import console, print_envelopes, print_verdicts
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.jit import cache_folder
 from fcl_sim.loop import trace_file
@@ -161,6 +161,11 @@ def _print(outcomes: Sequence[Outcome]) -> None:
     print_verdicts(list(summary.rows(outcomes)), console())
     for ending in summary.endings(outcomes):
         click.echo(ending)
+    over = list(summary.envelope_rows(outcomes))
+    if over:
+        click.echo()
+        print_envelopes(over, console())
+        click.echo()
     if outcomes:
         click.echo(summary.sentence(outcomes))
         print_regressions(outcomes)

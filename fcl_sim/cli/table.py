@@ -8,12 +8,14 @@ from rich.table import Table
 from rich.text import Text
 
 from fcl_sim.judge.verdict import Status
-from fcl_sim.report.summary import Row
+from fcl_sim.report.summary import EnvelopeRow, Row
+from fcl_sim.report.words import counted
 
 HEADINGS = ("scenario", "variant", "requirement", "asked", "measured", "verdict")
+OF_ENVELOPES = ("scenario", "variant", "requirement", "asked", "as required", "verdict", "worst")
 OF_RUN = 2
 """How many columns say which run it is; the rest is about the requirement."""
-MEASURED = "measured"
+MEASURED = ("measured", "as required")
 GAP = 2
 
 PIPE_WIDTH = 1000
@@ -23,6 +25,8 @@ COLOURS = {Status.PASS: "green", Status.FAIL: "red", Status.FAULT: "red"}
 OTHER_COLOUR = "yellow"
 
 Cells = Sequence[Sequence[Text]]
+Run = tuple[str, str]
+"""Scenario and variant, as a table calls them."""
 
 
 def console() -> Console:
@@ -39,36 +43,59 @@ def print_verdicts(rows: Sequence[Row], console: Console) -> None:
     In one table where the terminal is wide enough, else in one for each run,
     else in lines.
     """
-    cells = [_cells(row, *heading) for row, heading in zip(rows, _headings(rows), strict=True)]
-    about = [row[OF_RUN:] for row in cells]
-    if rows and sum(_widths(HEADINGS, cells)) <= console.width:
-        console.print(_table(HEADINGS, _widths(HEADINGS, cells), cells))
+    runs = [(row.scenario, row.variant) for row in rows]
+    lines = [
+        [Text(f"  {row.id}: ").append_text(_verdict(row)), Text(f"    {row.value}, {row.bound}")]
+        for row in rows
+    ]
+    _print(HEADINGS, runs, [_about(row) for row in rows], lines, console)
+
+
+def print_envelopes(rows: Sequence[EnvelopeRow], console: Console) -> None:
+    """Print every verdict over an envelope: what is asked, at how many points it held, the worst of them."""
+    runs = [(row.scenario, f"{row.variant}, {counted(row.points, 'point')}") for row in rows]
+    lines = [
+        [
+            Text(f"  {row.id}: ").append_text(_coloured(row.status)),
+            Text(f"    {row.passed}, {row.bound}"),
+            *([Text(f"    worst {row.worst}")] if row.worst else []),
+        ]
+        for row in rows
+    ]
+    about = [
+        [Text(row.id), Text(row.bound), Text(row.passed), _coloured(row.status), Text(row.worst)]
+        for row in rows
+    ]
+    _print(OF_ENVELOPES, runs, about, lines, console)
+
+
+def _print(
+    headings: Sequence[str], runs: Sequence[Run], about: Cells, lines: Cells, console: Console
+) -> None:
+    told = zip(_told_once(runs), about, strict=True)
+    cells = [[*(Text(each) for each in run), *row] for run, row in told]
+    if cells and sum(_widths(headings, cells)) <= console.width:
+        console.print(_table(headings, _widths(headings, cells), cells))
         return
-    widths = _widths(HEADINGS[OF_RUN:], about)
-    for (scenario, variant), run in groupby(zip(rows, about, strict=True), key=_run):
+    widths = _widths(headings[OF_RUN:], about)
+    for (scenario, variant), run in groupby(zip(runs, about, lines, strict=True), key=lambda each: each[0]):
         console.print(Text(f"{scenario}  {variant}", style="bold"))
         if sum(widths) <= console.width:
-            part = [each for _, each in run]
-            console.print(_table(HEADINGS[OF_RUN:], widths, part, show_header=False))
+            part = [row for _, row, _ in run]
+            console.print(_table(headings[OF_RUN:], widths, part, show_header=False))
         else:
-            for row, _ in run:
-                console.print(Text(f"  {row.id}: ").append_text(_verdict(row)))
-                console.print(Text(f"    {row.value}, {row.bound}"))
+            for line in (line for _, _, row_lines in run for line in row_lines):
+                console.print(line)
 
 
-def _run(pair: tuple[Row, Sequence[Text]]) -> tuple[str, str]:
-    return pair[0].scenario, pair[0].variant
+def _about(row: Row) -> list[Text]:
+    return [*(Text(cell) for cell in (row.id, row.bound, row.value)), _verdict(row)]
 
 
-def _cells(row: Row, scenario: str, variant: str) -> list[Text]:
-    return [*(Text(cell) for cell in (scenario, variant, row.id, row.bound, row.value)), _verdict(row)]
-
-
-def _headings(rows: Sequence[Row]) -> Iterator[tuple[str, str]]:
+def _told_once(runs: Sequence[Run]) -> Iterator[Run]:
     """Yield scenario and variant of each row, empty where the row above has the same."""
     above = ("", "")
-    for row in rows:
-        here = (row.scenario, row.variant)
+    for here in runs:
         yield ("" if here[0] == above[0] else here[0]), ("" if here == above else here[1])
         above = here
 
@@ -90,7 +117,7 @@ def _table(
     )
     for heading, width in zip(headings, widths, strict=True):
         table.add_column(
-            heading, justify="right" if heading == MEASURED else "left", no_wrap=True, min_width=width - GAP
+            heading, justify="right" if heading in MEASURED else "left", no_wrap=True, min_width=width - GAP
         )
     for row in cells:
         table.add_row(*row)
@@ -98,5 +125,9 @@ def _table(
 
 
 def _verdict(row: Row) -> Text:
-    word = Text.assemble((str(row.status), COLOURS.get(row.status, OTHER_COLOUR)))
+    word = _coloured(row.status)
     return word.append(f" ({row.note})") if row.note else word
+
+
+def _coloured(status: Status) -> Text:
+    return Text.assemble((str(status), COLOURS.get(status, OTHER_COLOUR)))

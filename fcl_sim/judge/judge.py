@@ -44,13 +44,13 @@ def _no_signal(trace: Trace, requirement: Requirement, name: str) -> Diagnostic:
 
 def _judge_one(trace: Trace, requirement: Requirement, runs: Mapping[str, Trace]) -> Verdict:
     found = _find(trace, requirement, runs)
-    status, reason = _after_expectation(found, requirement)
+    status, reason = after_expectation(found.status, found.reason, requirement)
     return Verdict(
         requirement=requirement,
         status=status,
         measured=found.status,
         value=found.value,
-        definition=_definition(trace, requirement),
+        definition=definition(requirement, trace.units),
         reason=reason,
         band=_band(requirement, found.limits),
         violation=found.violation,
@@ -71,27 +71,29 @@ def _find(trace: Trace, requirement: Requirement, runs: Mapping[str, Trace]) -> 
     return measure(trace, requirement, metric)
 
 
-def _definition(trace: Trace, requirement: Requirement) -> str:
+def definition(requirement: Requirement, units: Mapping[str, str]) -> str:
+    """Return what a requirement is judged by, in words; `units` has the unit of its signals."""
     if requirement.formula is not None:
         return str(requirement.formula)
     if requirement.corridor is not None:
         return wording.corridor(requirement.corridor)
-    unit = trace.units[requirement.signal]
-    definition = wording.definition(METRICS[requirement.metric], requirement, unit)
+    unit = units[requirement.signal]
+    alone = wording.definition(METRICS[requirement.metric], requirement, unit)
     if requirement.relative_to is None:
-        return definition
-    return f"{wording.relation(requirement.relative_to)}: {definition}"
+        return alone
+    return f"{wording.relation(requirement.relative_to)}: {alone}"
 
 
-def _after_expectation(found: Finding, requirement: Requirement) -> tuple[Status, str]:
-    sentence = wording.as_sentence(found.reason, requirement)
+def after_expectation(measured: Status, reason: str, requirement: Requirement) -> tuple[Status, str]:
+    """Return verdict and sentence after the expectation: an expected FAIL is a PASS, an unexpected PASS a FAIL."""
+    sentence = wording.as_sentence(reason, requirement)
     if not requirement.expect_fail:
-        return found.status, sentence
-    if found.status is Status.FAIL:
+        return measured, sentence
+    if measured is Status.FAIL:
         return Status.PASS, f"{sentence} This miss is expected."
-    if found.status is Status.PASS:
+    if measured is Status.PASS:
         return Status.FAIL, f"{sentence} A miss was expected: the expectation no longer holds."
-    return found.status, f"{sentence} That is not the expected miss."
+    return measured, f"{sentence} That is not the expected miss."
 
 
 def _band(requirement: Requirement, limits: Limits | None) -> Band | None:

@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
+from fractions import Fraction
+from math import ceil
 
 from fcl_sim.diagnostics import Span
 from fcl_sim.judge.temporal.formula import Formula
@@ -30,6 +32,28 @@ class Form(StrEnum):
 
     RATIO = "ratio"
     DIFFERENCE = "difference"
+
+
+class Over(StrEnum):
+    """What a requirement is held to: the run itself, every point of its envelope, or both."""
+
+    BOTH = "both"
+    NOMINAL = "nominal"
+    POINTS = "points"
+    MEAN = "mean"
+    """The mean of the figure over the points, instead of each."""
+
+
+@dataclass(frozen=True, slots=True)
+class AtLeast:
+    """At how many points of an envelope a requirement must hold: a `count`, or a `share` from 0 to 1."""
+
+    count: int | None = None
+    share: Fraction = Fraction(1)
+
+    def of(self, points: int) -> int:
+        """Return how many of so many points that is."""
+        return ceil(self.share * points) if self.count is None else self.count
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +90,7 @@ class Requirement:
     `relative_to` makes of it. With a `formula` or a `corridor` these are empty,
     and `unit` is that of its margin.
     `expect_fail` says that the run is meant to miss it; the text says why.
+    `over` and `at_least` say how it is held to an envelope.
     """
 
     id: str
@@ -81,6 +106,8 @@ class Requirement:
     maximum: float | None = None
     unit: str = ""
     expect_fail: bool = False
+    over: Over = Over.BOTH
+    at_least: AtLeast = AtLeast()
     span: Span | None = field(default=None, compare=False, repr=False)
 
     @property

@@ -1,7 +1,7 @@
 """Wiring → Tape: slots for names, rows for blocks, three buffers for a run (`loop.layout`)."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
@@ -112,20 +112,13 @@ def lower(wiring: Wiring, run: int = 0, forced: Mapping[str, float] = NOTHING_FO
     numbers = floats.numbers()
     for at, singles in rows.singles.items():
         numbers.view(np.float32)[at : at + singles.size] = singles
-    declaration = diagram.plant.model.declaration
     return Tape(
         wiring=wiring,
         ints=buffer,
         floats=numbers,
         memory=_initial_memory(diagram, memory, layouts, rows.outside),
-        x=_padded([diagram.plant.start.get(each.name, each.start) for each in declaration.states], 0.0),
-        p=np.array(
-            [
-                *diagram.plant.model.constants,
-                *(diagram.plant.parameters.get(each.name, each.default) for each in declaration.parameters),
-            ],
-            dtype=np.float64,
-        ),
+        x=_start(diagram.plant),
+        p=_parameters(diagram.plant),
         schedule=times,
         slots=memory.slots,
         segments=segments,
@@ -137,6 +130,26 @@ def lower(wiring: Wiring, run: int = 0, forced: Mapping[str, float] = NOTHING_FO
         ),
         outside=rows.outside,
     )
+
+
+def with_plant(tape: Tape, plant: PlantNode) -> Tape:
+    """Return a tape with other parameters and start values of its plant; what else it has is shared.
+
+    It is the tape that lowering the whole anew would give.
+    """
+    diagram = replace(tape.wiring.diagram, plant=plant)
+    wiring = replace(tape.wiring, diagram=diagram)
+    return replace(tape, wiring=wiring, x=_start(plant), p=_parameters(plant))
+
+
+def _start(plant: PlantNode) -> Floats:
+    return _padded([plant.start.get(each.name, each.start) for each in plant.model.declaration.states], 0.0)
+
+
+def _parameters(plant: PlantNode) -> Floats:
+    declared = plant.model.declaration.parameters
+    given = (plant.parameters.get(each.name, each.default) for each in declared)
+    return np.array([*plant.model.constants, *given], dtype=np.float64)
 
 
 class _Buffer:

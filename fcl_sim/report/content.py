@@ -132,7 +132,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
         "anchor": anchor,
         "status": str(outcome.verdict),
         "sentence": f"{counted(len(runs), 'run')}: "
-        + summary.tally([verdict for run in runs for verdict in run.verdicts])
+        + summary.tally([verdict for run in runs for verdict in summary.verdicts_of(run)])
         + ".",
         "story": paragraphs(scenario.description),
         "facts": _facts(outcome),

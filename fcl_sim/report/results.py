@@ -13,7 +13,9 @@ from importlib.metadata import version
 from typing import Any
 
 from fcl_sim import __version__
-from fcl_sim.judge.verdict import Band, Corridor, Relative, Verdict, worst
+from fcl_sim.envelope.envelope import Envelope
+from fcl_sim.judge.envelope import EnvelopeVerdict
+from fcl_sim.judge.verdict import Band, Corridor, Relative, Requirement, Verdict, worst
 from fcl_sim.report.baseline_json import beside_baseline
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
@@ -137,6 +139,37 @@ def _run(run: Run) -> Json:
         ],
         "requirements": [_verdict(each) for each in run.verdicts],
         "baseline": beside_baseline(run),
+        "envelope": None if run.envelope is None else _envelope(run.envelope),
+    }
+
+
+def _envelope(envelope: Envelope) -> Json:
+    """Return the axes and what came of each requirement, point by point: the last axis varies fastest."""
+    return {
+        "verdict": str(envelope.verdict),
+        "axes": [
+            {"key": axis.key, "values": [each.plain() for each in axis.values]} for axis in envelope.grid.axes
+        ],
+        "points": len(envelope),
+        "requirements": [_over_envelope(envelope, each) for each in envelope.verdicts],
+    }
+
+
+def _over_envelope(envelope: Envelope, verdict: EnvelopeVerdict) -> Json:
+    worst = verdict.worst
+    return {
+        **_asked(verdict.requirement),
+        "over": str(verdict.requirement.over),
+        "verdict": str(verdict.status),
+        "measured": str(verdict.measured),
+        "passed": verdict.passed,
+        "needed": verdict.needed,
+        "value": _number(verdict.value),
+        "worst": None if worst is None else {"point": worst, "at": envelope.grid.values(worst)},
+        "definition": verdict.definition,
+        "reason": verdict.reason,
+        "values": [_number(each) for each in verdict.values.tolist()],
+        "verdicts": [str(each) for each in verdict.statuses],
     }
 
 
@@ -145,7 +178,19 @@ def _older(against: Against) -> Json:
 
 
 def _verdict(verdict: Verdict) -> Json:
-    asked = verdict.requirement
+    return {
+        **_asked(verdict.requirement),
+        "verdict": str(verdict.status),
+        "measured": str(verdict.measured),
+        "value": _number(verdict.value),
+        "definition": verdict.definition,
+        "reason": verdict.reason,
+        "band": _band(verdict.band),
+        "violation_s": None if verdict.violation is None else [_number(each) for each in verdict.violation],
+    }
+
+
+def _asked(asked: Requirement) -> Json:
     return {
         "id": asked.id,
         "text": asked.text,
@@ -161,13 +206,6 @@ def _verdict(verdict: Verdict) -> Json:
         "maximum": _number(asked.maximum),
         "unit": asked.unit,
         "expect_fail": asked.expect_fail,
-        "verdict": str(verdict.status),
-        "measured": str(verdict.measured),
-        "value": _number(verdict.value),
-        "definition": verdict.definition,
-        "reason": verdict.reason,
-        "band": _band(verdict.band),
-        "violation_s": None if verdict.violation is None else [_number(each) for each in verdict.violation],
     }
 
 

@@ -1,10 +1,13 @@
 """The verdicts of a run as data: rows of a table, and a sentence."""
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from fcl_sim.judge.verdict import Status, Verdict, worst
-from fcl_sim.report.words import bound, counted, ending, expectation, value
+from fcl_sim.envelope.envelope import Envelope
+from fcl_sim.judge.envelope import EnvelopeVerdict, without_figure
+from fcl_sim.judge.verdict import Over, Status, Verdict, worst
+from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, value
 from fcl_sim.testbench import Outcome, Run
 
 
@@ -52,6 +55,79 @@ def endings(outcomes: Sequence[Outcome]) -> Iterator[str]:
                 yield f"{outcome.scenario.name} {run.variant}: {ending(run.trace.fault)}."
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EnvelopeRow:
+    """One verdict over an envelope as a table shows it.
+
+    `passed` says at how many points it came out as it should, or what the mean is;
+    `worst` the figure that decides and where it lies, empty where there is none.
+    """
+
+    scenario: str
+    variant: str
+    points: int
+    id: str
+    text: str
+    bound: str
+    passed: str
+    worst: str
+    status: Status
+
+
+def envelope_rows(outcomes: Sequence[Outcome]) -> Iterator[EnvelopeRow]:
+    """Yield the verdicts over the envelopes of all runs, in the order of scenarios, variants and requirements."""
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            if run.envelope is not None:
+                yield from _over(outcome.scenario.name, run.variant, run.envelope)
+
+
+def _over(scenario: str, variant: str, envelope: Envelope) -> Iterator[EnvelopeRow]:
+    for verdict in envelope.verdicts:
+        asked = verdict.requirement
+        yield EnvelopeRow(
+            scenario=scenario,
+            variant=variant,
+            points=len(envelope),
+            id=asked.id,
+            text=asked.text,
+            bound=envelope_bound(verdict),
+            passed=passed(verdict),
+            worst=""
+            if verdict.worst is None
+            else f"{at_worst(verdict)} at {envelope.grid.told(verdict.worst)}",
+            status=verdict.status,
+        )
+
+
+def envelope_bound(verdict: EnvelopeVerdict) -> str:
+    """Return what a requirement asks over an envelope: its bound, and at how many points."""
+    asked = bound(verdict.requirement)
+    if verdict.requirement.over is Over.MEAN:
+        return f"mean {asked}"
+    if verdict.needed == verdict.points:
+        return asked
+    return f"{asked}, at {verdict.needed} of {verdict.points} or more"
+
+
+def passed(verdict: EnvelopeVerdict) -> str:
+    """Return at how many points a requirement came out as it should; of a mean, the mean."""
+    if verdict.requirement.over is Over.MEAN:
+        return "none" if verdict.value is None else f"mean {figure(verdict.requirement, verdict.value)}"
+    count = f"{verdict.passed} of {verdict.points}"
+    return f"{count} miss it" if verdict.requirement.expect_fail else count
+
+
+def at_worst(verdict: EnvelopeVerdict) -> str:
+    """Return the figure at the worst point, or what came of it there."""
+    if verdict.worst is None:
+        return ""
+    there = float(verdict.values[verdict.worst])
+    if not math.isnan(there):
+        return figure(verdict.requirement, there)
+    return without_figure(verdict.requirement, verdict.statuses[verdict.worst])
+
+
 def overall(outcomes: Sequence[Outcome]) -> Status:
     """Return the gravest verdict; UNTESTED where nothing was run."""
     return worst([outcome.verdict for outcome in outcomes])
@@ -60,21 +136,32 @@ def overall(outcomes: Sequence[Outcome]) -> Status:
 def sentence(outcomes: Sequence[Outcome]) -> str:
     """Return what was judged and how it came out, as a reader says it."""
     runs = [run for outcome in outcomes for run in outcome.variants.values()]
-    verdicts = [verdict for run in runs for verdict in run.verdicts]
+    verdicts = [verdict for run in runs for verdict in verdicts_of(run)]
     if not runs:
         return "Nothing was run."
-    parts = [counted(len(outcomes), "scenario"), counted(len(runs), "run"), counted(len(verdicts), "verdict")]
-    return sentence_of(", ".join(parts), verdicts)
+    parts = [counted(len(outcomes), "scenario"), counted(len(runs), "run")]
+    points = [len(run.envelope) for run in runs if run.envelope is not None]
+    if points:
+        parts.append(f"{counted(len(points), 'envelope')} of {joined([str(each) for each in points])} points")
+    return sentence_of(", ".join([*parts, counted(len(verdicts), "verdict")]), verdicts)
 
 
-def sentence_of(judged: str, verdicts: Sequence[Verdict]) -> str:
+AnyVerdict = Verdict | EnvelopeVerdict
+
+
+def verdicts_of(run: Run) -> list[AnyVerdict]:
+    """Return the verdicts on a run, then those over its envelope."""
+    return [*run.verdicts, *(run.envelope.verdicts if run.envelope is not None else ())]
+
+
+def sentence_of(judged: str, verdicts: Sequence[AnyVerdict]) -> str:
     """Return how what was judged came out."""
     if not verdicts:
         return f"{judged}: nothing was asked of them."
     return f"{judged}: {tally(verdicts)}.{_misses(verdicts)}"
 
 
-def tally(verdicts: Sequence[Verdict]) -> str:
+def tally(verdicts: Sequence[AnyVerdict]) -> str:
     """Return verdicts counted, the gravest first: `1 FAIL, 12 PASS`."""
     statuses = [verdict.status for verdict in verdicts]
     return (
@@ -85,21 +172,22 @@ def tally(verdicts: Sequence[Verdict]) -> str:
 
 def run_tally(run: Run) -> str:
     """Return how many of a run's requirements came out as they should."""
-    good = sum(verdict.status is Status.PASS for verdict in run.verdicts)
-    if not run.verdicts:
+    verdicts = verdicts_of(run)
+    good = sum(verdict.status is Status.PASS for verdict in verdicts)
+    if not verdicts:
         return "none"
-    missed = sum(expected_miss(verdict) for verdict in run.verdicts)
-    return f"{good} of {len(run.verdicts)}" + (
+    missed = sum(expected_miss(verdict) for verdict in verdicts)
+    return f"{good} of {len(verdicts)}" + (
         f", {counted(missed, 'expected miss', 'expected misses')}" if missed else ""
     )
 
 
-def expected_miss(verdict: Verdict) -> bool:
+def expected_miss(verdict: AnyVerdict) -> bool:
     """Return whether a requirement is missed, as it is expected to be."""
     return verdict.requirement.expect_fail and verdict.status is Status.PASS
 
 
-def _misses(verdicts: Sequence[Verdict]) -> str:
+def _misses(verdicts: Sequence[AnyVerdict]) -> str:
     missed = sum(expected_miss(verdict) for verdict in verdicts)
     if not missed:
         return ""

@@ -78,12 +78,14 @@ def bound(requirement: Requirement) -> str:
 
 def value(verdict: Verdict) -> str:
     """Return what was measured, to as many digits as tell it from its bound; a dash where nothing was."""
-    if verdict.value is None:
-        return "\N{EM DASH}"
-    asked = verdict.requirement
+    return "\N{EM DASH}" if verdict.value is None else figure(verdict.requirement, verdict.value)
+
+
+def figure(asked: Requirement, measured: float) -> str:
+    """Return a figure of a requirement, to as many digits as tell it from its bound."""
     limits = [each for each in (asked.minimum, asked.maximum) if each is not None]
-    near = min(limits, key=lambda each: abs(each - (verdict.value or 0.0)), default=None)
-    return _joined(printed(wording.number(verdict.value, near=near)), asked.unit)
+    near = min(limits, key=lambda each: abs(each - measured), default=None)
+    return _joined(printed(wording.number(measured, near=near)), asked.unit)
 
 
 def expectation(verdict: Verdict) -> str:

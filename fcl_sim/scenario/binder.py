@@ -1,23 +1,23 @@
 """Scenario → Diagram: names become paths, texts become numbers, files become plants and blocks."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
 from fcl_sim.block import Block, load
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.judge.verdict import Requirement
+from fcl_sim.judge.verdict import Over, Requirement
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
 from fcl_sim.scenario.arithmetic import in_arithmetic
 from fcl_sim.scenario.blocks import plain_node
 from fcl_sim.scenario.linear import LINEAR_MODELS, is_linear, linear_node, misplaced
-from fcl_sim.scenario.model import BASE, CONTROLLER, Entries, PlantSetup, Scenario, Setup
+from fcl_sim.scenario.model import BASE, CONTROLLER, Axis, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
-from fcl_sim.scenario.requirements import requirements_for
+from fcl_sim.scenario.requirements import NOMINAL_RUN, requirements_for
 from fcl_sim.scenario.shape import is_fuzzy
 from fcl_sim.toml.tree import NOTHING, Entry, finding
 from fcl_sim.units import parse_unit
@@ -34,7 +34,11 @@ def bind(scenario: Scenario, variant: str = BASE, load_block: LoadBlock = load) 
     `load_block` may remember the rule bases that several variants share.
     InputFault carries every unknown name, misfitting unit and faulty rule base.
     """
-    setup = setup_called(scenario, variant)
+    return bind_setup(scenario, setup_called(scenario, variant), load_block)
+
+
+def bind_setup(scenario: Scenario, setup: Setup, load_block: LoadBlock = load) -> Diagram:
+    """Return the closed loop of a variant as `bind` does, set up otherwise than its scenario says."""
     faults: Faults = []
     plant = _plant(scenario, setup.plant, faults)
     nodes = []
@@ -55,19 +59,36 @@ def bind(scenario: Scenario, variant: str = BASE, load_block: LoadBlock = load) 
     )
 
 
-def requirements(scenario: Scenario, variant: str, units: Mapping[str, str]) -> tuple[Requirement, ...]:
+def requirements(
+    scenario: Scenario, variant: str, units: Mapping[str, str], asked_over: Container[Over] = NOMINAL_RUN
+) -> tuple[Requirement, ...]:
     """Return what is required of a variant's run; `units` has the unit of each of its signals.
+
+    Without `asked_over`, of the run itself.
 
     InputFault carries every signal that does not exist and every unit that does
     not fit, the declared units of the controller's inputs included.
     """
     setup_called(scenario, variant)
-    return requirements_for(scenario.requirements, variant, units)
+    return requirements_for(scenario.requirements, variant, units, asked_over)
 
 
-def check_inputs(scenario: Scenario, variant: str, units: Mapping[str, str]) -> None:
+def axis_values(plant: PlantNode, axis: Axis, faults: Faults) -> list[float]:
+    """Return the numbers of an axis of a plant's parameter or state, in its unit; faults with their place."""
+    _, group, name = axis.key.split(".")
+    values = []
+    for entry in axis.values:
+        given, declaration = {name: entry}, plant.model.declaration
+        if group == "parameters":
+            found = _values("parameter", declaration.parameters, given, plant.model, faults)
+        else:
+            found = _values("state", declaration.states, given, plant.model, faults)
+        values += found.values()
+    return values
+
+
+def check_inputs(setup: Setup, units: Mapping[str, str]) -> None:
     """Raise InputFault where a signal does not have the unit that the controller's input declares."""
-    setup = setup_called(scenario, variant)
     faults: Faults = []
     for name, declared in setup.controller.inputs.items() if setup.controller else ():
         given, wanted = parse_unit(units[f"{CONTROLLER}.{name}"]), parse_unit(str(declared.value))

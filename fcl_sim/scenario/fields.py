@@ -10,10 +10,10 @@ from fcl_sim.block import ARITHMETICS
 from fcl_sim.concept.instance import Rounding
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.judge.verdict import Form
+from fcl_sim.judge.verdict import AtLeast, Form, Over
 from fcl_sim.loop.diagram import POLICIES, RESTARTS
 from fcl_sim.loop.schemes import SCHEMES
-from fcl_sim.units import ONE, UnitError, nanoseconds, parse_quantity, parse_unit
+from fcl_sim.units import ONE, UnitError, exact, nanoseconds, parse_quantity, parse_unit
 
 NAME = re.compile(r"[^\W\d]\w*")
 WIRE = re.compile(rf"-?{NAME.pattern}(\.{NAME.pattern})*")
@@ -176,6 +176,27 @@ def _form(value: Any) -> str:
     return _choice(value, tuple(Form))
 
 
+def at_least(value: Any) -> AtLeast:
+    """Return how many points of an envelope a count or a share, `"95 %"`, means; a refusal where none."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        if value < 1:
+            raise refused("SCN203", f"{{it}} must be 1 or more, not {value}", "it counts points")
+        return AtLeast(count=value)
+    hint = 'write the number of points, as in at_least = 30, or their share, as in at_least = "95 %"'
+    if not isinstance(value, str):
+        raise refused("SCN203", f"{{it}} is a number of points or a share of them, not {kind(value)}", hint)
+    quantity = parse_quantity(_quantity(value))
+    if quantity.unit.symbol != "%" or not 0.0 < quantity.value <= 100.0:
+        raise refused("SCN203", f"{{it}} cannot be `{value}`", hint)
+    return AtLeast(share=exact(quantity.value) / 100)
+
+
+def _at_least(value: Any) -> Any:
+    for each in value.values() if isinstance(value, dict) else [value]:
+        at_least(each)
+    return value
+
+
 def _expectation(value: Any) -> Any:
     if isinstance(value, dict):
         for each in value.values():
@@ -251,9 +272,22 @@ Policy = Annotated[
 RestartKind = Annotated[
     Any, PlainValidator(lambda value: _choice(value, RESTARTS)), _schema({}, enum=list(RESTARTS))
 ]
+OverName = choice_of(tuple(str(each) for each in Over))
 FormName = Annotated[Any, PlainValidator(_form), _schema({}, enum=list(Form))]
 Expectation = Annotated[
     Any,
     PlainValidator(_expectation),
     _schema({}, anyOf=[{"const": FAIL}, {"type": "object", "additionalProperties": {"const": FAIL}}]),
+]
+NUMBER_OF_POINTS = [{"type": "integer", "minimum": 1}, {**WRITTEN, "examples": ["95 %"]}]
+PointsAtLeast = Annotated[
+    Any,
+    PlainValidator(_at_least),
+    _schema(
+        {},
+        anyOf=[
+            *NUMBER_OF_POINTS,
+            {"type": "object", "additionalProperties": {"anyOf": NUMBER_OF_POINTS}},
+        ],
+    ),
 ]

@@ -7,7 +7,7 @@ from typing import Any
 
 from fcl_sim.diagnostics import Source, Span
 from fcl_sim.judge.temporal.formula import Statement
-from fcl_sim.judge.verdict import Relative
+from fcl_sim.judge.verdict import Over, Relative
 from fcl_sim.loop.diagram import Integration, Timing
 from fcl_sim.loop.trace import Trace
 from fcl_sim.toml.tree import Entry
@@ -19,6 +19,15 @@ CONTROLLER = "controller"
 """What the paths of the controller's blocks, inputs and outputs begin with."""
 
 Entries = Mapping[str, Entry]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axis:
+    """One axis of an envelope: the dotted `key` that it sets, and its values in order, each with its place."""
+
+    key: str
+    values: tuple[Entry, ...]
+    span: Span = field(compare=False, repr=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,6 +82,8 @@ class Setup:
     `speed` outside of it. `rule_bases` gives the FCL file of each fuzzy block,
     `block_files` every other file that a block names, by block and parameter.
     `references` are the signals that its baseline keeps, where it says so.
+    `vary` are the axes of its envelope, the first varying slowest; none where it
+    has no envelope. `tree` is what all this was read from.
     """
 
     variant: str
@@ -86,6 +97,8 @@ class Setup:
     rule_bases: Mapping[str, Path]
     block_files: Mapping[tuple[str, str], "SourceFile"] = field(default_factory=dict)
     references: tuple[Entry, ...] | None = None
+    tree: Entry = field(compare=False, repr=False)
+    vary: tuple[Axis, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,13 +115,16 @@ class RequirementText:
     """A requirement as written: numbers still have their own units.
 
     It has either a `statement`, a formula that was read, or a `corridor`, or a
-    `metric` with all that follows it. `expect` names the runs that are expected to miss it.
+    `metric` with all that follows it. `expect` names the runs that are expected to miss it;
+    `over` and `at_least` say how it is held to an envelope.
     """
 
     id: str
     text: str
     expect: frozenset[str]
     span: Span = field(compare=False, repr=False)
+    over: Over = Over.BOTH
+    at_least: Entry | None = None
     statement: Statement | None = None
     corridor: CorridorText | None = None
     metric: str = ""

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from fcl_sim.diagnostics import Diagnostic, InputFault
-from fcl_sim.scenario.document import read_file
+from fcl_sim.scenario.document import parse, read_file
 from fcl_sim.scenario.model import SourceFile
 from fcl_sim.toml.tree import Entry
 
@@ -17,6 +17,7 @@ class Reading:
     path: Path
     files: dict[Path, SourceFile] = field(default_factory=dict)
     faults: dict[Diagnostic, None] = field(default_factory=dict)
+    trees: dict[Path, Entry] = field(default_factory=dict)
 
     def open(self, path: Path, role: str, asked: Entry | None = None) -> SourceFile | None:
         """Return a file, read once; note a fault and return None where it cannot be read."""
@@ -27,6 +28,12 @@ class Reading:
                 self.note(fault.diagnostics)
                 return None
         return self.files[path]
+
+    def parsed(self, file: SourceFile) -> Entry:
+        """Return the tree of a TOML file, parsed once; InputFault where it is none."""
+        if file.path not in self.trees:
+            self.trees[file.path] = parse(file.source)
+        return self.trees[file.path]
 
     def beside(self, entry: Entry) -> Path:
         """Return the path that an entry names, relative to its own file; an override's, to the scenario."""

@@ -1,7 +1,8 @@
 """[[require]] → requirements: first as written, then in the units of the signals they bound."""
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -9,8 +10,9 @@ from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.metric import RESTART_AT, WINDOW, Argument, Kind, Metric
 from fcl_sim.judge.metrics import METRICS
-from fcl_sim.judge.verdict import Form, Relative, Requirement
+from fcl_sim.judge.verdict import Form, Over, Relative, Requirement
 from fcl_sim.scenario.corridors import corridor_of, corridor_text
+from fcl_sim.scenario.envelope import over_of, points_asked
 from fcl_sim.scenario.formulae import in_units, statement_of
 from fcl_sim.scenario.model import CorridorText, RequirementText
 from fcl_sim.scenario.quantities import converted
@@ -21,6 +23,8 @@ from fcl_sim.units import Unit, parse_unit
 SIGNAL = "signal"
 KINDS = ("metric", "formula", "corridor")
 """What a requirement asks; it has one of them."""
+NOMINAL_RUN = (Over.BOTH, Over.NOMINAL)
+"""What requirements on a run itself are over; the others are on the points of its envelope."""
 OF_METRICS = ("relative_to", "min", "max")
 """What bounds a metric, and nothing else."""
 
@@ -48,7 +52,8 @@ def _text(
 ) -> RequirementText | None:
     identity, words = entry.get("id"), entry.get("text")
     metric, formula, corridor = (entry.get(name) for name in KINDS)
-    faults += _expectation_faults(entry.get("expect"), variants)
+    for name in ("expect", "at_least"):
+        faults += _unknown_runs(entry.get(name), variants)
     faults += _kind_faults(entry)
     faults += _relative_faults(entry.get("relative_to"), variants)
     found = _measured(entry, metric, faults) if metric is not None else None
@@ -65,6 +70,8 @@ def _text(
         text=str(words.value),
         expect=_expected(entry.get("expect"), variants),
         span=entry.key,
+        over=over_of(entry.get("over")),
+        at_least=entry.get("at_least"),
         **found,
     )
 
@@ -120,10 +127,9 @@ def _expected(expect: Entry | None, variants: Sequence[str]) -> frozenset[str]:
     return frozenset(expect.table if expect.is_table else variants)
 
 
-def _expectation_faults(expect: Entry | None, variants: Sequence[str]) -> Iterator[Diagnostic]:
-    if expect is None:
-        return
-    for name, entry in expect.table.items():
+def _unknown_runs(by_run: Entry | None, variants: Sequence[str]) -> Iterator[Diagnostic]:
+    """Yield the runs that a table names and that do not exist."""
+    for name, entry in by_run.table.items() if by_run else ():
         if name not in variants:
             near = nearest(name, variants)
             hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
@@ -186,21 +192,30 @@ def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
 
 
 def requirements_for(
-    texts: Sequence[RequirementText], variant: str, units: Mapping[str, str]
+    texts: Sequence[RequirementText],
+    variant: str,
+    units: Mapping[str, str],
+    asked_over: Container[Over] = NOMINAL_RUN,
 ) -> tuple[Requirement, ...]:
     """Return the requirements on the run of a variant, in the units of its signals.
 
-    One that is relative to that run itself is none.
+    One that is relative to that run itself is none; nor is one over something
+    else than is `asked_over`.
 
     `units` has the unit of every signal of the run or the recorded trace.
     InputFault where a signal does not exist or a unit does not fit.
     """
     faults: list[Diagnostic] = []
-    asked = [each for each in texts if each.relative_to is None or each.relative_to.variant != variant]
-    found = [_in_units(text, variant, units, faults) for text in asked]
+    asked = [each for each in texts if each.over in asked_over]
+    asked = [each for each in asked if each.relative_to is None or each.relative_to.variant != variant]
+    found = [(text, _in_units(text, variant, units, faults)) for text in asked]
     if faults:
         raise InputFault(faults)
-    return tuple(each for each in found if each is not None)
+    return tuple(
+        replace(each, over=text.over, at_least=points_asked(text.at_least, variant))
+        for text, each in found
+        if each is not None
+    )
 
 
 def _in_units(

@@ -8,10 +8,11 @@ import math
 from collections.abc import Mapping
 from functools import cache
 from types import MappingProxyType
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, create_model
+from pydantic import BaseModel, ConfigDict, Field, WithJsonSchema, create_model
 
+from fcl_sim.judge.verdict import Over
 from fcl_sim.loop.blocks import BLOCKS, BlockParameter, BlockType
 from fcl_sim.loop.diagram import SKIP
 from fcl_sim.scenario.fields import (
@@ -24,6 +25,8 @@ from fcl_sim.scenario.fields import (
     FormName,
     LongScan,
     Name,
+    OverName,
+    PointsAtLeast,
     Policy,
     Positive,
     PositiveTime,
@@ -175,6 +178,12 @@ class RequirementTable(Table):
     min: Quantified = Field(None, description="smallest allowed value")
     max: Quantified = Field(None, description="largest allowed value")
     expect: Expectation = Field(None, description='"fail", or { VARIANT = "fail" }: the miss is expected')
+    over: OverName = Field(
+        Over.BOTH, description="the nominal run, each of the points of its envelope, their mean, or both"
+    )
+    at_least: PointsAtLeast = Field(
+        None, description='points at which it must hold, as in 30 or "95 %", or by run; else all'
+    )
 
 
 class BaselineTable(Table):
@@ -198,6 +207,25 @@ class ControllerFile(Table):
     outputs: dict[Name, WireText] = Field(description="the outputs, each with the signal it gives out")
 
 
+SCALAR: dict[str, Any] = {"anyOf": [{"type": "string"}, {"type": "number"}]}
+RANGE: dict[str, Any] = {
+    "type": "object",
+    "properties": {"from": SCALAR, "to": SCALAR, "count": {"type": "integer", "minimum": 2}},
+    "required": ["from", "to", "count"],
+    "additionalProperties": False,
+}
+GRID: dict[str, Any] = {
+    "title": "GridTable",
+    "description": "Values by key, which may be dotted.",
+    "type": "object",
+    "additionalProperties": {
+        "anyOf": [{"type": "array", "minItems": 1}, RANGE, {"$ref": "#/$defs/GridTable"}]
+    },
+}
+Vary = Annotated[Any, WithJsonSchema({"anyOf": [{"type": "object"}, {"const": False}]})]
+"""Its shape is checked by `scenario.vary`: it may have the keys of all tables."""
+
+
 class ScenarioFile(Table):
     """A closed loop, its variants, and what is required of it."""
 
@@ -213,6 +241,7 @@ class ScenarioFile(Table):
         default_factory=IntegrationTable, description="integration of the plant"
     )
     restart: list[RestartTable] = Field([], description="restarts of the PLC")
+    vary: Vary = Field(None, description="envelope: lists of values by key, or { from, to, count }")
     variants: dict[Name, dict[str, Any]] = Field({}, description="further runs, each by what differs")
     baseline: BaselineTable = Field(default_factory=BaselineTable, description="what its baselines keep")
     require: list[RequirementTable] = Field([], description="what is required of every run")
@@ -300,6 +329,9 @@ def json_schema(of: str = "scenario") -> dict[str, Any]:
         definitions[inner["title"]] = inner
         references.append({"$ref": f"#/$defs/{inner['title']}"})
     definitions["BlockTable"] = {"title": "BlockTable", "oneOf": references}
+    if of == "scenario":
+        definitions["GridTable"] = GRID
+        schema["properties"]["vary"]["anyOf"] = [{"$ref": "#/$defs/GridTable"}, {"const": False}]
     for table in (schema, *definitions.values()):
         for each in table.get("properties", {}).values():
             _tidy(each)

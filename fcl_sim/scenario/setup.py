@@ -7,7 +7,7 @@ from types import MappingProxyType
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.loop.blocks import BLOCKS
-from fcl_sim.scenario.document import BLOCK_FILE, CONTROLLER_FILE, RULE_BASE, parse
+from fcl_sim.scenario.document import BLOCK_FILE, CONTROLLER_FILE, RULE_BASE
 from fcl_sim.scenario.model import CONTROLLER, ControllerSetup, PlantSetup, Setup, SourceFile
 from fcl_sim.scenario.reading import Reading
 from fcl_sim.scenario.schema import ControllerFile, ScenarioFile
@@ -51,6 +51,7 @@ def setup_of(reading: Reading, variant: str, tree: Entry) -> Setup | None:
         rule_bases=MappingProxyType(rule_bases),
         block_files=MappingProxyType(block_files),
         references=_references(tree),
+        tree=tree,
     )
 
 
@@ -63,7 +64,7 @@ def _controller_tree(reading: Reading, named: Entry, faults: Faults) -> Entry | 
     if file is None:
         return None
     try:
-        tree = parse(file.source)
+        tree = reading.parsed(file)
     except InputFault as fault:
         faults += fault.diagnostics
         return None

@@ -17,7 +17,6 @@ from fcl_sim.toml.tree import Entry, finding
 Location = tuple[int | str, ...]
 
 LATER: Mapping[str, str] = {
-    "vary": "write each case as a variant: [variants.NAME]",
     "extend": "write what differs as a variant: [variants.NAME]",
 }
 """Keys of later versions, and what serves until then."""

@@ -1,9 +1,11 @@
 """A scenario as text: what was read, each run spelled out or told apart from the base, the requirements."""
 
 from collections.abc import Iterator, Mapping
+from math import prod
 from textwrap import wrap
 from typing import Any
 
+from fcl_sim.judge.verdict import Over
 from fcl_sim.loop.diagram import Timing
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.scenario.linear import is_linear, output_names
@@ -35,6 +37,7 @@ def _lines(scenario: Scenario) -> Iterator[str]:
         yield f"run {name}: {setup.title}"
         lines = base if name == BASE else [each for each in _run(setup) if each not in base]
         yield from (f"  {each}" for each in lines)
+        yield from (f"  {each}" for each in _grid(setup))
     yield ""
     yield "requirements"
     for requirement in scenario.requirements:
@@ -71,6 +74,14 @@ def _run(setup: Setup) -> Iterator[str]:
         yield from _wires("controller.", setup.controller.outputs)
     for name, block in setup.blocks.items():
         yield f"{name} = {_block(block)}"
+
+
+def _grid(setup: Setup) -> Iterator[str]:
+    if setup.vary:
+        points = prod(len(each.values) for each in setup.vary)
+        yield f"envelope of {points} points"
+        for axis in setup.vary:
+            yield f"  {axis.key}: {', '.join(_inline(each.plain()) for each in axis.values)}"
 
 
 def _disturbed(timing: Timing) -> Iterator[str]:
@@ -112,6 +123,10 @@ def _inline(value: Any) -> str:
 
 def _requirement(requirement: RequirementText) -> Iterator[str]:
     yield f"  {requirement.id}: {_asked(requirement)}"
+    if requirement.over is not Over.BOTH:
+        yield f"    over: {requirement.over}"
+    if requirement.at_least is not None:
+        yield f"    at least: {_inline(requirement.at_least.plain())}"
     if requirement.expect:
         yield f"    expected to fail: {', '.join(sorted(requirement.expect))}"
     yield from wrap(requirement.text, WIDTH, initial_indent="    ", subsequent_indent="    ")

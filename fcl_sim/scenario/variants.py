@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from fcl_sim.diagnostics import Diagnostic, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.scenario.model import BASE
+from fcl_sim.scenario.vary import VARY, varied
 from fcl_sim.toml.tree import Entry, finding, overlaid
 
 SHARED: Mapping[str, str] = {
@@ -15,7 +16,10 @@ SHARED: Mapping[str, str] = {
 
 
 def variant_trees(tree: Entry) -> tuple[dict[str, Entry], list[Diagnostic]]:
-    """Return the tree of every run by variant, the base run's first, and what is wrong with the variants."""
+    """Return the tree of every run by variant, the base run's first, and what is wrong with the variants.
+
+    The [vary] in it is that of the run.
+    """
     faults: list[Diagnostic] = []
     base = tree.without("variants")
     trees = {BASE: tree}
@@ -28,7 +32,9 @@ def variant_trees(tree: Entry) -> tuple[dict[str, Entry], list[Diagnostic]]:
             faults += _shared(name, over)
             fitting, unknown = without_unknown_blocks(base.get("blocks"), over, "the scenario")
             faults += unknown
-            trees[name] = overlaid(base, fitting.without(*SHARED))
+            whole = overlaid(base.without(VARY), fitting.without(*SHARED, VARY))
+            vary = varied(base.get(VARY), over)
+            trees[name] = whole if vary is None else whole.keeping({**whole.table, VARY: vary})
     return trees, faults
 
 
