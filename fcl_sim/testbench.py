@@ -24,11 +24,20 @@ from fcl_sim.loop.trace import Trace
 from fcl_sim.loop.wiring import wire
 from fcl_sim.scenario import baseline_file
 from fcl_sim.scenario.bench import bench_of
-from fcl_sim.scenario.binder import LoadBlock, bind, check_inputs, requirements, setup_called
+from fcl_sim.scenario.binder import (
+    LoadBlock,
+    bind,
+    check_inputs,
+    plant_of,
+    requirements,
+    setup_called,
+    units_of,
+)
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
 from fcl_sim.scenario.references import reference_signals
+from fcl_sim.scenario.requirements import Units
 from fcl_sim.verify.cause import Cause, cause_of, with_rule_bases
 from fcl_sim.verify.cover import LEAST, Visit, cover
 from fcl_sim.verify.coverage import Coverage, Item, merged, waived
@@ -245,14 +254,14 @@ def prepare(scenario: Scenario, *, is_compared: bool = True) -> tuple[Prepared, 
 def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepared:
     setup = scenario.variants[variant]
     diagram = bind(scenario, variant, load_block)
-    units = {name: unit.symbol for name, unit in wire(diagram).units.items()}
+    units = units_of(wire(diagram))
     check_inputs(setup, units)
     return Prepared(
         variant=variant,
         title=setup.title,
         diagram=diagram,
         requirements=requirements(scenario, variant, units),
-        references=reference_signals(scenario, variant, units),
+        references=reference_signals(scenario, variant, units.signals),
         envelope=plan(scenario, setup, load_block) if setup.vary else None,
     )
 
@@ -265,10 +274,20 @@ def _with_baseline(scenario: Scenario, prepared: Prepared) -> Prepared:
 def judge_trace(trace: Trace, scenario: Scenario, variant: str = BASE) -> tuple[Verdict, ...]:
     """Return what comes of a recorded trace by the requirements on a run; nothing is simulated.
 
+    Parameters of the plant that it does not tell are those of the scenario.
     InputFault where the trace lacks a signal that is asked for, or has it in a
     unit that does not fit.
     """
-    return judge(trace, requirements(scenario, variant, trace.units))
+    units = Units(trace.units)
+    plant = plant_of(scenario, variant) if _lacks(trace, scenario) else None
+    if plant is not None:
+        trace = replace(trace, constants={**plant.constants, **trace.constants})
+        units = Units(trace.units, plant.constant_units)
+    return judge(trace, requirements(scenario, variant, units))
+
+
+def _lacks(trace: Trace, scenario: Scenario) -> bool:
+    return any(name not in trace for each in scenario.requirements for name in each.names)
 
 
 def run_prepared(prepared: Prepared) -> Run:
@@ -280,8 +299,8 @@ def _with_envelope(run: Run, planned: Plan | None, workers: int | None) -> Run:
     if planned is None:
         return run
     envelope = execute(planned, workers)
-    judged = [each.status for each in (*run.verdicts, *envelope.verdicts)]
-    return replace(run, envelope=envelope, verdict=worst(judged))
+    found = [*(each.status for each in run.verdicts), *(each.status for each in envelope.verdicts)]
+    return replace(run, envelope=envelope, verdict=worst(found))
 
 
 def _simulated(prepared: Prepared) -> tuple[Trace, float]:

@@ -44,7 +44,7 @@ def execute(plan: Plan, workers: int | None = None) -> Envelope:
         found = list(_every_point(plan, pool, count))
         columns = list(zip(*found, strict=True))
         verdicts = tuple(
-            judge_envelope(asked, column, definition(asked, plan.units), plan.grid.told)
+            judge_envelope(asked, column, definition(asked, plan.units.signals), plan.grid.told)
             for asked, column in zip(plan.requirements, columns, strict=True)
         )
         wanted = sorted({each.worst for each in verdicts if each.worst is not None})

@@ -46,7 +46,10 @@ class Grid:
         return {key: entry.plain() for key, entry in self.entries(index).items()}
 
     def told(self, index: int) -> str:
-        """Return where a point lies, `load_mass = 40 t, cable_length = 15 m`; axes of one value are left out."""
+        """Return where a point lies, `load_mass = 40 t, cable_length = 15 m`.
+
+        An axis of one value is left out, unless all are of one.
+        """
         several = any(length > 1 for length in self.shape)
         told = zip(self.labels, self.axes, self.values(index).values(), strict=True)
         return ", ".join(

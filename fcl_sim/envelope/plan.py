@@ -17,9 +17,10 @@ from fcl_sim.judge.verdict import Over, Requirement
 from fcl_sim.loop.diagram import Diagram
 from fcl_sim.loop.tape import Tape, lower, with_plant
 from fcl_sim.loop.wiring import wire
-from fcl_sim.scenario.binder import LoadBlock, axis_values, bind_setup, check_inputs, requirements
+from fcl_sim.scenario.binder import LoadBlock, axis_values, bind_setup, check_inputs, requirements, units_of
 from fcl_sim.scenario.model import Scenario, Setup
 from fcl_sim.scenario.points import moves_plant, setup_at
+from fcl_sim.scenario.requirements import Units
 from fcl_sim.toml.tree import Entry
 
 POINTS = (Over.BOTH, Over.POINTS, Over.MEAN)
@@ -39,7 +40,7 @@ class Family:
     tape: Tape
     numbers: Numbers
     requirements: tuple[Requirement, ...]
-    units: Mapping[str, str]
+    units: Units
     others: Mapping[str, Tape]
 
     def at(self, steps: Mapping[str, int]) -> tuple[Tape, dict[str, Tape]]:
@@ -56,12 +57,12 @@ class Plan:
     setup: Setup
     grid: Grid
     requirements: tuple[Requirement, ...]
-    units: Mapping[str, str]
+    units: Units
     load_block: LoadBlock
     inner: frozenset[str]
 
     def families(self, points: Sequence[int]) -> Iterator[tuple[Family, list[int]]]:
-        """Yield points in their order, those that share a tape together; InputFault where one does not fit."""
+        """Yield points in their order, those of one tape together; InputFault where one does not fit."""
         for _, group in groupby(points, key=self._outer_steps):
             members = list(group)
             entries = self.grid.entries(members[0])
@@ -92,7 +93,7 @@ def plan(scenario: Scenario, setup: Setup, load_block: LoadBlock) -> Plan:
         setup=setup,
         grid=Grid(setup.vary),
         requirements=(),
-        units={},
+        units=Units({}),
         load_block=load_block,
         inner=inner,
     )
@@ -137,10 +138,10 @@ def _family(made: Plan, outer: Mapping[str, Entry]) -> Family:
     )
 
 
-def _bound(made: Plan, setup: Setup, outer: Mapping[str, Entry]) -> tuple[Diagram, dict[str, str]]:
+def _bound(made: Plan, setup: Setup, outer: Mapping[str, Entry]) -> tuple[Diagram, Units]:
     found = setup_at(made.scenario, setup, outer)
     diagram = bind_setup(made.scenario, found, made.load_block)
-    units = {name: unit.symbol for name, unit in wire(diagram).units.items()}
+    units = units_of(wire(diagram))
     check_inputs(found, units)
     return diagram, units
 

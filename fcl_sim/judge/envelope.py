@@ -18,7 +18,7 @@ ORDER = list(Status)
 
 @dataclass(frozen=True, slots=True)
 class AtPoint:
-    """What came of a requirement at one point: what is kept of its Verdict; `value` NaN where there is none."""
+    """What is kept of a requirement's Verdict at one point; `value` NaN where there is none."""
 
     status: Status
     measured: Status
@@ -165,7 +165,8 @@ def _mean(
     if measured is Status.PASS and np.isnan(values).any():
         worst = int(np.argmax(np.isnan(values)))
         measured = Status.UNTESTED if requirement.maximum is None else Status.FAIL
-        sentence = f"there is no mean: {requirement.signal} does not {METRICS[requirement.metric].never} at {told(worst)}"
+        never = METRICS[requirement.metric].never
+        sentence = f"there is no mean: {requirement.signal} does not {never} at {told(worst)}"
     elif measured is Status.PASS:
         value, worst = float(values.mean()), _extreme(requirement, values)
         bound = Bound(minimum=requirement.minimum, maximum=requirement.maximum)

@@ -85,7 +85,7 @@ def definition(requirement: Requirement, units: Mapping[str, str]) -> str:
 
 
 def after_expectation(measured: Status, reason: str, requirement: Requirement) -> tuple[Status, str]:
-    """Return verdict and sentence after the expectation: an expected FAIL is a PASS, an unexpected PASS a FAIL."""
+    """Return verdict and sentence: an expected FAIL is a PASS, an unexpected PASS a FAIL."""
     sentence = wording.as_sentence(reason, requirement)
     if not requirement.expect_fail:
         return measured, sentence

@@ -52,8 +52,8 @@ class AtLeast:
     share: Fraction = Fraction(1)
 
     def of(self, points: int) -> int:
-        """Return how many of so many points that is."""
-        return ceil(self.share * points) if self.count is None else self.count
+        """Return how many of so many points that is, all of them at most."""
+        return ceil(self.share * points) if self.count is None else min(self.count, points)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from fcl_sim.concept.function_block import IntegerInstance
 from fcl_sim.diagnostics import Span
 from fcl_sim.engine.program import Program
 from fcl_sim.plant.catalog import PlantModel
+from fcl_sim.plant.declaration import Parameter
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +88,23 @@ class PlantNode:
     start: Mapping[str, float] = field(default_factory=dict)
     inputs: Mapping[str, Wire] = field(default_factory=dict)
     span: Span | None = field(default=None, compare=False, repr=False)
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """Its parameters by their full names, but for one that is called like a signal."""
+        given = self.parameters
+        return {name: given.get(each.name, each.default) for name, each in self._constants.items()}
+
+    @property
+    def constant_units(self) -> dict[str, str]:
+        """The unit of each of its constants, by the constant's name."""
+        return {name: each.unit for name, each in self._constants.items()}
+
+    @property
+    def _constants(self) -> dict[str, Parameter]:
+        taken = set(self.signals)
+        named = {f"{self.name}.{each.name}": each for each in self.model.declaration.parameters}
+        return {name: each for name, each in named.items() if name not in taken}
 
     @property
     def signals(self) -> tuple[str, ...]:

@@ -112,6 +112,7 @@ def _trace(tape: Tape, record: Values, state: RunState) -> Trace:
         fault=_fault(tape, state),
         events=events_of(tape, record),
         incidents=_incidents(tape, record.shape[0]),
+        constants=wiring.diagram.plant.constants,
     )
 
 

@@ -75,7 +75,8 @@ class Trace:
     `ticks` (n,) nanoseconds; `values` (n, signals) in the order of `names`;
     `units` the unit of each signal. `fault` is set when the run ended early;
     the samples up to there are kept. `events` are what blocks reported, in the order of time,
-    `incidents` the restarts and overruns of the PLC.
+    `incidents` the restarts and overruns of the PLC. `constants` are numbers that have a
+    name as signals have: the parameters of the plant.
     """
 
     ticks: NDArray[np.int64]
@@ -86,6 +87,7 @@ class Trace:
     fault: Fault | None = None
     events: tuple[BlockEvent, ...] = ()
     incidents: tuple[Incident, ...] = ()
+    constants: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def events_by_kind(self) -> tuple[tuple[BlockEvent, ...], ...]:
@@ -101,10 +103,12 @@ class Trace:
         return self.ticks / 1e9
 
     def __contains__(self, name: str) -> bool:
-        return name in self.units
+        return name in self.units or name in self.constants
 
     def __getitem__(self, name: str) -> Values:
-        """Return the samples (n,) of the signal `name`; KeyError where there is none."""
+        """Return the samples (n,) of the signal `name`, or the constant; KeyError where there is none."""
+        if name in self.constants:
+            return np.full(self.ticks.size, self.constants[name])
         if name not in self.units:
             raise KeyError(name)
         return self.values[:, self.names.index(name)]

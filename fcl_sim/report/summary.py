@@ -75,7 +75,7 @@ class EnvelopeRow:
 
 
 def envelope_rows(outcomes: Sequence[Outcome]) -> Iterator[EnvelopeRow]:
-    """Yield the verdicts over the envelopes of all runs, in the order of scenarios, variants and requirements."""
+    """Yield the verdicts over all envelopes, in the order of scenarios, variants and requirements."""
     for outcome in outcomes:
         for run in outcome.variants.values():
             if run.envelope is not None:

@@ -10,6 +10,7 @@ from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.verdict import Over, Requirement
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
+from fcl_sim.loop.wiring import Wiring
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
 from fcl_sim.scenario.arithmetic import in_arithmetic
@@ -17,7 +18,7 @@ from fcl_sim.scenario.blocks import plain_node
 from fcl_sim.scenario.linear import LINEAR_MODELS, is_linear, linear_node, misplaced
 from fcl_sim.scenario.model import BASE, CONTROLLER, Axis, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
-from fcl_sim.scenario.requirements import NOMINAL_RUN, requirements_for
+from fcl_sim.scenario.requirements import NOMINAL_RUN, Units, requirements_for
 from fcl_sim.scenario.shape import is_fuzzy
 from fcl_sim.toml.tree import NOTHING, Entry, finding
 from fcl_sim.units import parse_unit
@@ -60,9 +61,9 @@ def bind_setup(scenario: Scenario, setup: Setup, load_block: LoadBlock = load) -
 
 
 def requirements(
-    scenario: Scenario, variant: str, units: Mapping[str, str], asked_over: Container[Over] = NOMINAL_RUN
+    scenario: Scenario, variant: str, units: Units, asked_over: Container[Over] = NOMINAL_RUN
 ) -> tuple[Requirement, ...]:
-    """Return what is required of a variant's run; `units` has the unit of each of its signals.
+    """Return what is required of a variant's run, in the units of its signals.
 
     Without `asked_over`, of the run itself.
 
@@ -73,10 +74,21 @@ def requirements(
     return requirements_for(scenario.requirements, variant, units, asked_over)
 
 
+def units_of(wiring: Wiring) -> Units:
+    """Return the unit of every signal of a loop, and of every constant that formulae may name."""
+    signals = {name: unit.symbol for name, unit in wiring.units.items()}
+    return Units(signals, wiring.diagram.plant.constant_units)
+
+
+def plant_of(scenario: Scenario, variant: str) -> PlantNode | None:
+    """Return the plant of a variant; None where it cannot be had."""
+    return _plant(scenario, setup_called(scenario, variant).plant, [])
+
+
 def axis_values(plant: PlantNode, axis: Axis, faults: Faults) -> list[float]:
     """Return the numbers of an axis of a plant's parameter or state, in its unit; faults with their place."""
     _, group, name = axis.key.split(".")
-    values = []
+    values: list[float] = []
     for entry in axis.values:
         given, declaration = {name: entry}, plant.model.declaration
         if group == "parameters":
@@ -87,11 +99,11 @@ def axis_values(plant: PlantNode, axis: Axis, faults: Faults) -> list[float]:
     return values
 
 
-def check_inputs(setup: Setup, units: Mapping[str, str]) -> None:
+def check_inputs(setup: Setup, units: Units) -> None:
     """Raise InputFault where a signal does not have the unit that the controller's input declares."""
     faults: Faults = []
     for name, declared in setup.controller.inputs.items() if setup.controller else ():
-        given, wanted = parse_unit(units[f"{CONTROLLER}.{name}"]), parse_unit(str(declared.value))
+        given, wanted = parse_unit(units.signals[f"{CONTROLLER}.{name}"]), parse_unit(str(declared.value))
         if not given.same_as(wanted):
             wire = setup.controller.wires[name] if setup.controller else declared
             message = f"the controller's input `{name}` is in {wanted}, and `{wire.value}` is in {given}"

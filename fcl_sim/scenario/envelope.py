@@ -33,32 +33,31 @@ def _asked(entry: Entry | None, variant: str) -> Entry | None:
     return entry.get(variant) if entry is not None and entry.is_table else entry
 
 
-def envelope_faults(
-    texts: Sequence[RequirementText], grids: Grids, *, switched_off: bool
-) -> Iterator[Diagnostic]:
+def envelope_faults(texts: Sequence[RequirementText], grids: Grids, *, lenient: bool) -> Iterator[Diagnostic]:
     """Yield what requirements ask of envelopes and cannot be had.
 
-    `grids` are the axes by run. Where envelopes are switched off, nothing is asked of them.
+    `grids` are the axes by run. A `lenient` look lets pass what overrides have
+    made smaller, or what is switched off.
     """
     for text in texts:
-        yield from _of_one(text, {name for name, grid in grids.items() if grid}, switched_off)
-        for name, grid in grids.items():
+        yield from _of_one(text, {name for name, grid in grids.items() if grid}, lenient=lenient)
+        for name, grid in grids.items() if not lenient else ():
             asked, points = _asked(text.at_least, name), prod(len(each.values) for each in grid)
-            if grid and asked is not None and points_asked(text.at_least, name).of(points) > points:
+            if grid and asked is not None and (points_asked(text.at_least, name).count or 0) > points:
                 message = (
                     f"{text.id} must hold at {asked.value} points, and the envelope of `{name}` has {points}"
                 )
                 yield finding("SCN504", message, asked, 'a share of them is written "95 %"')
 
 
-def _of_one(text: RequirementText, spread: set[str], switched_off: bool) -> Iterator[Diagnostic]:
+def _of_one(text: RequirementText, spread: set[str], *, lenient: bool) -> Iterator[Diagnostic]:
     if text.over is Over.MEAN and not text.metric:
         message = f"{text.id} has no metric, and only a metric has a mean over the points"
         yield finding("SCN504", message, text.span, 'write over = "points", each of them is judged then')
     if text.over in {Over.NOMINAL, Over.MEAN} and text.at_least is not None:
         message = f"{text.id} is not judged point by point, so that `at_least` counts nothing"
         yield finding("SCN504", message, text.at_least.key, "leave it out, or leave out `over`")
-    if switched_off:
+    if lenient:
         return
     if text.over in {Over.POINTS, Over.MEAN} and not spread:
         yield finding("SCN504", f"{text.id} asks for an envelope, and no run has one", text.span, GIVE_ONE)

@@ -7,6 +7,7 @@ from typing import Any
 
 from fcl_sim.diagnostics import Source, Span
 from fcl_sim.judge.temporal.formula import Statement
+from fcl_sim.judge.temporal.tree import signals
 from fcl_sim.judge.verdict import Over, Relative
 from fcl_sim.loop.diagram import Integration, Timing
 from fcl_sim.loop.trace import Trace
@@ -23,7 +24,7 @@ Entries = Mapping[str, Entry]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Axis:
-    """One axis of an envelope: the dotted `key` that it sets, and its values in order, each with its place."""
+    """One axis of an envelope: the dotted `key` that it sets, its values in order, each with its place."""
 
     key: str
     values: tuple[Entry, ...]
@@ -133,6 +134,14 @@ class RequirementText:
     relative_to: Relative | None = None
     minimum: Entry | None = None
     maximum: Entry | None = None
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What it is about, as written: signals, and parameters of the plant."""
+        if self.statement is not None:
+            return tuple(signals(self.statement.tree))
+        signal = self.corridor.signal if self.corridor is not None else self.signal
+        return () if signal is None else (str(signal.value),)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -41,7 +41,7 @@ def setup_at(scenario: Scenario, setup: Setup, values: Mapping[str, Entry]) -> S
 
 
 def check_values(reading: Reading, setup: Setup) -> None:
-    """Note the faults of every value of every axis, laid alone over what the run says; read files they name."""
+    """Note the faults of each value of each axis, laid alone over the run; read the files they name."""
     for axis in setup.vary:
         for value in axis.values:
             if moves_plant(axis, setup):

@@ -36,12 +36,13 @@ def read(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Scenar
     if overrides:
         tree = _overridden(tree, overrides_tree(overrides))
     trees, faults = variant_trees(tree)
-    grids = {name: axes_of(each.get(VARY), faults) for name, each in trees.items()}
+    first = axes_of(trees[BASE].get(VARY), faults)
+    grids = {name: axes_of(each.get(VARY), faults, first) for name, each in trees.items()}
     reading.note(faults)
     require = tree.get("require")
     requirements, faults = requirement_texts(require.items if require else (), tuple(trees), reading)
     reading.note(faults)
-    reading.note(envelope_faults(requirements, grids, switched_off=_switched_off(tree)))
+    reading.note(envelope_faults(requirements, grids, lenient=bool(overrides) or _switched_off(tree)))
     setups = {name: _setup(reading, name, each, grids[name]) for name, each in trees.items()}
     if reading.faults:
         raise InputFault(reading.faults_in_order())

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Container, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -23,6 +23,16 @@ from fcl_sim.units import Unit, parse_unit
 SIGNAL = "signal"
 KINDS = ("metric", "formula", "corridor")
 """What a requirement asks; it has one of them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """The unit of each signal, and of each constant that formulae may name: a parameter of the plant."""
+
+    signals: Mapping[str, str]
+    constants: Mapping[str, str] = field(default_factory=dict)
+
+
 NOMINAL_RUN = (Over.BOTH, Over.NOMINAL)
 """What requirements on a run itself are over; the others are on the points of its envelope."""
 OF_METRICS = ("relative_to", "min", "max")
@@ -194,7 +204,7 @@ def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
 def requirements_for(
     texts: Sequence[RequirementText],
     variant: str,
-    units: Mapping[str, str],
+    units: Units,
     asked_over: Container[Over] = NOMINAL_RUN,
 ) -> tuple[Requirement, ...]:
     """Return the requirements on the run of a variant, in the units of its signals.
@@ -202,7 +212,7 @@ def requirements_for(
     One that is relative to that run itself is none; nor is one over something
     else than is `asked_over`.
 
-    `units` has the unit of every signal of the run or the recorded trace.
+    `units` are those of the run or the recorded trace.
     InputFault where a signal does not exist or a unit does not fit.
     """
     faults: list[Diagnostic] = []
@@ -219,13 +229,13 @@ def requirements_for(
 
 
 def _in_units(
-    text: RequirementText, variant: str, units: Mapping[str, str], faults: list[Diagnostic]
+    text: RequirementText, variant: str, units: Units, faults: list[Diagnostic]
 ) -> Requirement | None:
     if text.corridor is not None:
-        return _of_corridor(text, text.corridor, variant, units, faults)
+        return _of_corridor(text, text.corridor, variant, units.signals, faults)
     if text.statement is None:
-        return _of_metric(text, variant, units, faults)
-    formula = in_units(text.statement, units, faults)
+        return _of_metric(text, variant, units.signals, faults)
+    formula = in_units(text.statement, {**units.constants, **units.signals}, faults)
     if formula is None:
         return None
     return Requirement(

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from itertools import accumulate
 from math import prod
 
-from fcl_sim.diagnostics import Diagnostic, nearest
+from fcl_sim.diagnostics import Diagnostic, Span, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.scenario.fields import kind
 from fcl_sim.scenario.model import Axis
@@ -31,14 +31,22 @@ Faults = list[Diagnostic]
 def varied(vary: Entry | None, over: Entry) -> Entry | None:
     """Return the [vary] of what is laid over something that has `vary`.
 
-    Its own [vary] is merged; what it sets itself is set at every point. Where
+    Its own [vary] is merged; what it sets itself is set at every point, and
+    where nothing is left that takes several values, there is no envelope. Where
     envelopes are switched off, `vary = false`, they stay off.
     """
     own = over.get(VARY)
     if vary is None or not vary.is_table:
         return own if vary is None else vary
     free = _without(vary, {key for key, _ in over.without(VARY).leaves()})
-    return overlaid(free, own) if own is not None else free
+    if own is not None:
+        return overlaid(free, own)
+    return free if _spreads(free) or not _spreads(vary) else None
+
+
+def _spreads(vary: Entry) -> bool:
+    """Return whether anything takes several values: what is held at one alone makes no envelope."""
+    return any(_is_range(each) or len(each.items) > 1 or _spreads(each) for each in vary.table.values())
 
 
 def _without(vary: Entry, keys: set[str], prefix: str = "") -> Entry:
@@ -53,8 +61,12 @@ def _without(vary: Entry, keys: set[str], prefix: str = "") -> Entry:
     return vary.keeping(table)
 
 
-def axes_of(vary: Entry | None, faults: Faults) -> tuple[Axis, ...]:
-    """Return the axes that a [vary] spans, in the order of the text; none where it is `false`."""
+def axes_of(vary: Entry | None, faults: Faults, before: Sequence[Axis] = ()) -> tuple[Axis, ...]:
+    """Return the axes that a [vary] spans, none where it is `false`.
+
+    They stand in the order of the text, those first that are as well in the
+    [vary] `before`, in its order.
+    """
     if vary is None or vary.value is False:
         return ()
     if not vary.is_table:
@@ -63,12 +75,16 @@ def axes_of(vary: Entry | None, faults: Faults) -> tuple[Axis, ...]:
             finding("SCN203", message, vary, 'as in [vary] "plant.start.position" = ["-10 m", "-20 m"]')
         )
         return ()
-    before = len(faults)
+    already = len(faults)
     axes = [axis for key, entry in _leaves(vary, faults) if (axis := _axis(key, entry, faults)) is not None]
-    if len(faults) == before:
+    if len(faults) == already:
         faults += _too_many(axes)
-    texts = {each.span.source for each in axes}
-    return tuple(sorted(axes, key=lambda each: each.span.start) if len(texts) == 1 else axes)
+    known = [each.key for each in before]
+
+    def order(axis: Axis) -> tuple[int, int]:
+        return (known.index(axis.key), 0) if axis.key in known else (len(known), axis.span.start)
+
+    return tuple(sorted(axes, key=order))
 
 
 def labels(axes: Sequence[Axis]) -> tuple[str, ...]:
@@ -188,9 +204,9 @@ def _too_many(axes: Sequence[Axis]) -> Iterator[Diagnostic]:
     points = prod(len(each.values) for each in axes)
     if points > LIMIT:
         product = " x ".join(str(len(each.values)) for each in axes)
-        yield _grid_of(points, axes[0].span, f", {product}," if len(axes) > 1 else "")
+        yield _grid_of(points, axes[0].span, f", {product}," if len(axes) > 1 else ",")
 
 
-def _grid_of(points: int, place: Entry | object, product: str = "") -> Diagnostic:
+def _grid_of(points: int, place: Entry | Span, product: str = ",") -> Diagnostic:
     message = f"the grid of [vary] has {points} points{product} and {LIMIT} are the most"
-    return finding("SCN503", message, place, "give fewer values, or fewer keys")  # type: ignore[arg-type]
+    return finding("SCN503", message, place, "give fewer values, or fewer keys")
