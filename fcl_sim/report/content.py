@@ -12,6 +12,7 @@ from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.model import Defuzzification, RuleBlock
 from fcl_sim.report import baselines, beside, characteristics, pictures, summary
 from fcl_sim.report.coverage_matrix import matrix
+from fcl_sim.report.envelopes import envelope_pictures, envelope_rows, envelope_text
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of, rule_base
 from fcl_sim.report.results import versions
@@ -143,12 +144,24 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
 
 def _sections(outcome: Outcome, register: Register) -> list[Data]:
     runs = list(outcome.variants.values())
+    spread = [(run, run.envelope) for run in runs if run.envelope is not None]
     parts = [("All runs", "", pictures.all_runs(outcome))]
     parts += [(_run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
     maps = [each for run in runs for each in characteristics.over_inputs(run)]
     parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
+    over = [
+        _section(
+            outcome,
+            register,
+            f"Envelope of run {run.variant}",
+            envelope_text(run, each),
+            envelope_pictures(run, each),
+        )
+        | {"rows": envelope_rows(each)}
+        for run, each in spread
+    ]
     sections = [_section(outcome, register, *part) for part in parts if part[2]]
-    return [*_beside(outcome, register), *sections]
+    return [*_beside(outcome, register), *over, *sections]
 
 
 def _section(
@@ -162,6 +175,7 @@ def _section(
     return {
         "title": one_line(title),
         "text": text,
+        "rows": [],
         "changes": [{key: one_line(each) for key, each in asdict(row).items()} for row in changes],
         "pictures": [_picture(each, outcome.scenario.name, register) for each in shown],
     }

@@ -1,0 +1,194 @@
+"""An envelope in the report: its axes in words, its verdicts as rows, the figures of all points drawn."""
+
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from fcl_sim.envelope.envelope import Envelope
+from fcl_sim.envelope.grid import written
+from fcl_sim.judge.envelope import EnvelopeVerdict
+from fcl_sim.judge.verdict import Over, Status
+from fcl_sim.loop.trace import Values
+from fcl_sim.report import alt, style, summary
+from fcl_sim.report.frame import draw_frame, room_below, ticks
+from fcl_sim.report.pictures import Picture
+from fcl_sim.report.time_plots import Shown, lanes, pages, time_plot
+from fcl_sim.report.words import bound, bracketed, counted, figure, joined, one_line
+from fcl_sim.testbench import Run
+
+LEFT, RIGHT = 14.0, 6.0
+ACROSS = style.WIDTH - LEFT - RIGHT
+LANE, HEADING = 9.0, 4.2
+MARGIN = 0.06
+"""Share of the range that is kept free at both ends."""
+MOST_RUNS = 4
+"""Worst runs that are drawn over time."""
+MOST_VALUES = 9
+"""Values of an axis that are listed."""
+
+
+def envelope_text(run: Run, envelope: Envelope) -> str:
+    """Return what the points of an envelope are."""
+    axes = []
+    for label, axis in zip(envelope.grid.labels, envelope.grid.axes, strict=True):
+        values = [written(each.plain()) for each in axis.values]
+        told = (
+            joined(values) if len(values) <= MOST_VALUES else f"{values[0]} to {values[-1]} in {len(values)}"
+        )
+        axes.append(one_line(f"{label} = {told}"))
+    every = "every combination of " if len(axes) > 1 else ""
+    return f"Run {one_line(run.variant)} at {counted(len(envelope), 'point')}, {every}{'; '.join(axes)}."
+
+
+def envelope_rows(envelope: Envelope) -> list[dict[str, Any]]:
+    """Return each requirement with its verdict over the points, as the template lays it out."""
+    return [
+        {
+            "id": one_line(each.requirement.id),
+            "asked": one_line(f"{_about(each)}: {summary.envelope_bound(each)}"),
+            "passed": summary.passed(each),
+            "worst": "" if each.worst is None else one_line(_worst(envelope, each)),
+            "status": str(each.status),
+        }
+        for each in envelope.verdicts
+    ]
+
+
+def _about(verdict: EnvelopeVerdict) -> str:
+    asked = verdict.requirement
+    if asked.formula is not None:
+        return asked.formula.statement.words or asked.formula.statement.formula
+    return f"{asked.metric.replace('_', ' ') or 'corridor'} of {joined(list(asked.signals))}"
+
+
+def _worst(envelope: Envelope, verdict: EnvelopeVerdict) -> str:
+    place = "" if verdict.worst is None else envelope.grid.told(verdict.worst)
+    word = "Furthest" if verdict.requirement.over is Over.MEAN else "Worst"
+    return f"{word}: {summary.at_worst(verdict)} at {place}"
+
+
+def envelope_pictures(run: Run, envelope: Envelope) -> list[Picture]:
+    """Return the figures of all points, and the worst points over time beside the nominal run."""
+    shown = [each for each in envelope.verdicts if np.isfinite(each.values).any()]
+    found = []
+    if shown:
+        caption = (
+            "What each requirement measures at every point, the points one above the other in their order. "
+            "The band is what the requirement allows, the ring the worst point."
+        )
+        found.append(
+            Picture(
+                name=f"{run.variant}-envelope",
+                caption=caption,
+                alt=" ".join(_alt(envelope, each) for each in shown),
+                draw=partial(_draw, shown),
+            )
+        )
+    return found + _over_time(run, envelope)
+
+
+def _over_time(run: Run, envelope: Envelope) -> list[Picture]:
+    order = sorted(envelope.verdicts, key=lambda each: list(Status).index(each.status))
+    failing = [each.worst for each in order if each.status is not Status.PASS and each.worst is not None]
+    chosen = list(dict.fromkeys(failing))[:MOST_RUNS]
+    runs = [_shown("nominal", run)]
+    runs += [_shown(envelope.worst_runs[index].label, envelope.worst_runs[index]) for index in chosen]
+    judged = [lane for lane in lanes(runs[-1]) if lane.judged] if chosen else []
+    return [
+        Picture(
+            name=f"{run.variant}-envelope-worst-{number + 1}",
+            caption="The worst points of the requirements that are missed, beside the nominal run.",
+            alt=alt.of_runs(runs, page),
+            draw=partial(time_plot, runs, page),
+        )
+        for number, page in enumerate(pages(judged) if judged else [])
+    ]
+
+
+def _shown(label: str, run: Any) -> Shown:
+    duration = run.diagram.timing.duration / 1e9
+    return Shown(label=label, trace=run.trace, duration=duration, verdicts=run.verdicts)
+
+
+def _alt(envelope: Envelope, verdict: EnvelopeVerdict) -> str:
+    finite = verdict.values[np.isfinite(verdict.values)]
+    ends = [figure(verdict.requirement, float(each)) for each in (finite.min(), finite.max())]
+    where = "" if verdict.worst is None else f" {_worst(envelope, verdict)}."
+    return one_line(
+        f"{verdict.requirement.id}: {len(finite)} figures of {verdict.points} points, "
+        f"from {ends[0]} to {ends[1]}; "
+        f"{summary.envelope_bound(verdict)}; {summary.passed(verdict)}, {verdict.status}.{where}"
+    )
+
+
+def _draw(shown: Sequence[EnvelopeVerdict]) -> Figure:
+    with style.styled():
+        step = HEADING + LANE + room_below()
+        picture = style.blank(step * len(shown) + 1.0)
+        for index, verdict in enumerate(shown):
+            top = index * step + HEADING
+            axes = style.place(picture, LEFT, top, ACROSS, LANE)
+            low, high = _limits(verdict)
+            axes.set(xlim=(low, high), ylim=(-1.0, float(verdict.points)))
+            _draw_points(axes, verdict, (low, high))
+            draw_frame(axes, ticks(low, high, 9), [])
+            _heading(axes, verdict)
+    return picture
+
+
+def _allowed(verdict: EnvelopeVerdict) -> tuple[float | None, float | None]:
+    asked = verdict.requirement
+    plain = asked.formula is None and asked.corridor is None
+    return (asked.minimum, asked.maximum) if plain else (0.0, None)
+
+
+def _limits(verdict: EnvelopeVerdict) -> tuple[float, float]:
+    finite = verdict.values[np.isfinite(verdict.values)]
+    places = [
+        float(finite.min()),
+        float(finite.max()),
+        *(each for each in _allowed(verdict) if each is not None),
+    ]
+    low, high = min(places), max(places)
+    room = MARGIN * (high - low) or max(abs(low), 1.0) * MARGIN
+    return low - room, high + room
+
+
+def _draw_points(axes: Axes, verdict: EnvelopeVerdict, limits: tuple[float, float]) -> None:
+    low, high = _allowed(verdict)
+    start, end = limits[0] if low is None else low, limits[1] if high is None else high
+    axes.axvspan(start, end, facecolor=style.BAND, linewidth=0, zorder=1)
+    for edge in (low, high):
+        if edge is not None:
+            axes.axvline(edge, color=style.BOUND, linewidth=0.8, linestyle=(0, (4, 2)), zorder=2)
+    place: Values = np.arange(verdict.points, dtype=np.float64)
+    missed = np.array([each is not Status.PASS for each in verdict.statuses])
+    for chosen, colour in ((~missed, style.COLOURS[0]), (missed, style.VIOLATION_EDGE)):
+        axes.plot(verdict.values[chosen], place[chosen], "o", color=colour, markersize=1.5, zorder=4)
+    if verdict.worst is not None and np.isfinite(verdict.values[verdict.worst]):
+        at = (verdict.values[verdict.worst], place[verdict.worst])
+        axes.plot(*at, "o", markersize=5.0, markerfacecolor="none", color=style.INK, zorder=5, clip_on=False)
+    if verdict.requirement.over is Over.MEAN and verdict.value is not None:
+        axes.axvline(verdict.value, color=style.INK, linewidth=1.0, zorder=3)
+
+
+def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
+    asked = verdict.requirement
+    name = (
+        "robustness"
+        if asked.formula is not None
+        else asked.metric.replace("_", " ") or "distance from the edges"
+    )
+    text = f"{one_line(asked.id)}   {bracketed(name, asked.unit)}, {bound(asked)}"
+    height = style.size(axes)[1]
+    spot: dict[str, Any] = {"transform": axes.transAxes, "va": "bottom"}
+    axes.text(0.0, 1.0 + 0.8 / height, style.cut(text, 0.7 * ACROSS), ha="left", **spot)
+    without = int(np.isnan(verdict.values).sum())
+    tail = f"; {without} without a figure" if without else ""
+    axes.text(
+        1.0, 1.0 + 0.8 / height, f"{summary.passed(verdict)}{tail}", ha="right", color=style.FAINT, **spot
+    )
