@@ -156,3 +156,24 @@ def test_a_run_that_blows_up_is_a_fault_in_every_verdict(transfer):
 def test_the_bench_of_a_scenario_is_the_folder_above_scenarios():
     assert testbench.bench_of(CRANE / "transfer.toml") == shipped_bench()
     assert testbench.bench_of(Path("scenarios/x.toml")) == Path.cwd()
+
+
+def test_the_field_of_cranes_comes_out_as_measured(transfer, printed):
+    base = {each.requirement.id: each for each in transfer.base.envelope.verdicts}
+    assert [each.passed for each in base.values()] == [175] * 8
+    assert base["CR-2"].value == pytest.approx(31.1, abs=0.1)
+    assert base["CR-4"].value == pytest.approx(8.09, abs=0.01)
+    assert base["CR-9"].value == pytest.approx(24.6, abs=0.1)
+    raw = {each.requirement.id: each for each in transfer.variants["raw_distance"].envelope.verdicts}
+    assert raw["CR-8"].passed >= 30
+    assert raw["CR-8"].points == 36
+    frictionless = {each.requirement.id: each for each in transfer.variants["frictionless"].envelope.verdicts}
+    assert frictionless["CR-3"].value == pytest.approx(0.74, abs=0.01)
+    landed = next(each for each in printed.base.envelope.verdicts if each.requirement.id == "PR-2")
+    assert (landed.passed, landed.points) == (175, 175)
+
+
+def test_every_crane_of_the_field_parks_within_the_stall_law(transfer):
+    law = next(each for each in transfer.base.envelope.verdicts if each.requirement.id == "CR-6")
+    assert len(law.values) == 175
+    assert np.all((law.values >= 0.0) & (law.values <= 0.505))

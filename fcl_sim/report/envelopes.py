@@ -20,9 +20,9 @@ from fcl_sim.report.time_plots import Shown, lanes, pages, time_plot
 from fcl_sim.report.words import bound, bracketed, counted, figure, joined, one_line
 from fcl_sim.testbench import Run
 
-LEFT, RIGHT = 14.0, 6.0
+LEFT, RIGHT = 4.0, 4.0
 ACROSS = style.WIDTH - LEFT - RIGHT
-LANE, HEADING = 9.0, 4.2
+LANE, HEADING = 9.0, 5.6
 MARGIN = 0.06
 """Share of the range that is kept free at both ends."""
 MOST_RUNS = 4
