@@ -1,4 +1,7 @@
-"""A bench in a folder of its own, with the shipped crane in it, that tests change and read."""
+"""A bench in a folder of its own, with the shipped crane in it, that tests change and read.
+
+Its transfer is a text of the tests' own, without an envelope: messages name its lines.
+"""
 
 import shutil
 from collections.abc import Callable
@@ -43,6 +46,7 @@ class Bench:
 @pytest.fixture
 def bench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bench:
     shutil.copytree(shipped_bench() / FOLDER, tmp_path / FOLDER)
+    shutil.copy(Path(__file__).with_name("transfer.toml"), tmp_path / FOLDER)
     monkeypatch.chdir(tmp_path)
     return Bench(tmp_path)
 

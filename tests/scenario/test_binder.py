@@ -6,6 +6,7 @@ from fcl_sim.diagnostics import InputFault
 from fcl_sim.loop.diagram import FuzzyNode, Wire
 from fcl_sim.loop.wiring import wire
 from fcl_sim.scenario.binder import bind, requirements
+from fcl_sim.scenario.requirements import Units
 from fcl_sim.units import parse_quantity
 
 UNITS = {"crane.distance": "m", "crane.sway": "deg"}
@@ -76,7 +77,7 @@ def test_requirements_take_the_units_of_their_signals(bench):
     bench.edit(
         "transfer.toml", ('band = "0.5 m"', 'band = "50 cm"'), ('max    = "35 s"', 'max    = "0.5 min"')
     )
-    first, second, *_ = requirements(bench.read(), "base", UNITS)
+    first, second, *_ = requirements(bench.read(), "base", Units(UNITS))
     assert (first.id, first.metric, first.signal) == ("CR-1", "settling_time", "crane.distance")
     assert first.arguments == {"final": 0.0, "band": 0.5}
     assert (first.minimum, first.maximum, first.unit) == (None, 30.0, "s")
@@ -84,7 +85,8 @@ def test_requirements_take_the_units_of_their_signals(bench):
 
 
 def test_requirements_fit_a_recorded_trace_in_other_units(bench):
-    first, _, third, *_ = requirements(bench.read(), "base", {"crane.distance": "mm", "crane.sway": "rad"})
+    units = Units({"crane.distance": "mm", "crane.sway": "rad"})
+    first, _, third, *_ = requirements(bench.read(), "base", units)
     assert first.arguments == {"final": 0.0, "band": 500.0}
     assert (third.maximum, third.unit) == (100.0, "mm")
 
@@ -92,7 +94,7 @@ def test_requirements_fit_a_recorded_trace_in_other_units(bench):
 def test_a_miss_is_expected_of_the_named_runs_only(bench):
     scenario = bench.read()
     expected = {
-        variant: [each.id for each in requirements(scenario, variant, UNITS) if each.expect_fail]
+        variant: [each.id for each in requirements(scenario, variant, Units(UNITS)) if each.expect_fail]
         for variant in scenario.variants
     }
     assert expected == {
@@ -110,7 +112,7 @@ def test_expect_fail_alone_means_every_run(bench):
     for variant in scenario.variants:
         assert "PR-2" in [
             each.id
-            for each in requirements(scenario, variant, UNITS | {"crane.speed": "m/s"})
+            for each in requirements(scenario, variant, Units(UNITS | {"crane.speed": "m/s"}))
             if each.expect_fail
         ]
 

@@ -249,11 +249,11 @@ scenarios/crane/transfer.toml:34:13: error[SCN103]: `rate` is given twice
     (
         "a key of a later version",
         TRANSFER,
-        ("[plant]", '[vary]\n"plant.parameters.load_mass" = ["1 t"]\n[plant]'),
+        ("[plant]", 'extend = "other.toml"\n[plant]'),
         """\
-scenarios/crane/transfer.toml:17:2: error[SCN205]: `vary` is not read by this version
-  17 | [vary]
-     |  ^^^^
+scenarios/crane/transfer.toml:17:1: error[SCN205]: `extend` is not read by this version
+  17 | extend = "other.toml"
+     | ^^^^^^
   hint: write each case as a variant: [variants.NAME]""",
     ),
     (
