@@ -254,7 +254,7 @@ scenarios/crane/transfer.toml:34:13: error[SCN103]: `rate` is given twice
 scenarios/crane/transfer.toml:17:1: error[SCN205]: `extend` is not read by this version
   17 | extend = "other.toml"
      | ^^^^^^
-  hint: write each case as a variant: [variants.NAME]""",
+  hint: write what differs as a variant: [variants.NAME]""",
     ),
     (
         "a scan time beside the controller's",
