@@ -91,6 +91,7 @@ class Requirement:
     and `unit` is that of its margin.
     `expect_fail` says that the run is meant to miss it; the text says why.
     `over` and `at_least` say how it is held to an envelope.
+    `span` is where its id stands, `asked` where its bounds, formula or corridor do.
     """
 
     id: str
@@ -109,6 +110,7 @@ class Requirement:
     over: Over = Over.BOTH
     at_least: AtLeast = AtLeast()
     span: Span | None = field(default=None, compare=False, repr=False)
+    asked: tuple[Span, ...] = field(default=(), compare=False, repr=False)
 
     @property
     def signals(self) -> tuple[str, ...]:

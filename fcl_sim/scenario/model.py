@@ -118,6 +118,7 @@ class RequirementText:
     It has either a `statement`, a formula that was read, or a `corridor`, or a
     `metric` with all that follows it. `expect` names the runs that are expected to miss it;
     `over` and `at_least` say how it is held to an envelope.
+    `span` is where its id stands, `asked` where its bounds, formula or corridor do.
     """
 
     id: str
@@ -134,6 +135,7 @@ class RequirementText:
     relative_to: Relative | None = None
     minimum: Entry | None = None
     maximum: Entry | None = None
+    asked: tuple[Span, ...] = field(default=(), compare=False, repr=False)
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -23,6 +23,8 @@ from fcl_sim.units import Unit, parse_unit
 SIGNAL = "signal"
 KINDS = ("metric", "formula", "corridor")
 """What a requirement asks; it has one of them."""
+ASKED = ("formula", "corridor", "min", "max")
+"""Where it stands what is asked, for who misses it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +81,8 @@ def _text(
         id=str(identity.value),
         text=str(words.value),
         expect=_expected(entry.get("expect"), variants),
-        span=entry.key,
+        span=identity.span,
+        asked=tuple(each.span for name in ASKED if (each := entry.get(name)) is not None),
         over=over_of(entry.get("over")),
         at_least=entry.get("at_least"),
         **found,
@@ -245,6 +248,7 @@ def _in_units(
         unit=formula.unit or "",
         expect_fail=variant in text.expect,
         span=text.span,
+        asked=text.asked,
     )
 
 
@@ -265,6 +269,7 @@ def _of_corridor(
         unit=units[limits.signal],
         expect_fail=variant in text.expect,
         span=text.span,
+        asked=text.asked,
     )
 
 
@@ -307,6 +312,7 @@ def _of_metric(
         unit=own.symbol,
         expect_fail=variant in text.expect,
         span=text.span,
+        asked=text.asked,
     )
 
 

@@ -9,10 +9,13 @@ import pytest
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.diagnostics.page import pages
 from fcl_sim.plant.catalog import shipped_bench
+from fcl_sim.report.findings import findings
 from fcl_sim.scenario.reader import read
-from fcl_sim.testbench import prepare
+from fcl_sim.testbench import prepare, run_scenario
 
-PAGES = [each for each in pages().values() if each.within in {"scenario", "controller"}]
+FRAMED = [each for each in pages().values() if each.within in {"scenario", "controller"}]
+JUDGED = [each for each in FRAMED if each.code.startswith("JDG4")]
+PAGES = [each for each in FRAMED if each not in JUDGED]
 UNFRAMED = {"SCN104", "SCN409", "WIR202", "WIR204"}
 """Of what stands on the command line, in a table or in Python."""
 
@@ -86,14 +89,17 @@ def codes(tmp_path, monkeypatch):
     shutil.copytree(shipped_bench() / "scenarios" / "crane", folder)
     monkeypatch.chdir(tmp_path)
 
-    def found(example, within):
+    def found(example, within, *, run=False):
         texts = {"scenario": SCENARIO, "controller": CONTROLLER}
         if within:
             texts[within] = framed(texts[within], example)
         (folder / "crane.controller.toml").write_text(texts["controller"], "utf-8")
         (folder / "example.toml").write_text(texts["scenario"], "utf-8")
         try:
-            prepare(read(Path("scenarios/crane/example.toml")))
+            scenario = read(Path("scenarios/crane/example.toml"))
+            if run:
+                return {each.code for each in findings([run_scenario(scenario)])}
+            prepare(scenario)
         except InputFault as fault:
             return {each.code for each in fault.diagnostics}
         return set()
@@ -109,6 +115,12 @@ def test_the_frame_of_the_examples_is_sound(codes):
 def test_a_bad_example_has_its_finding_and_no_other_and_the_mended_one_has_none(told, codes):
     assert codes(told.bad, told.within) == {told.code}
     assert codes(told.mended, told.within) == set()
+
+
+@pytest.mark.parametrize("told", JUDGED, ids=lambda told: told.code)
+def test_a_run_of_a_bad_example_has_its_finding_and_no_other_and_of_the_mended_one_none(told, codes):
+    assert codes(told.bad, told.within, run=True) == {told.code}
+    assert codes(told.mended, told.within, run=True) == set()
 
 
 def test_every_page_about_scenarios_and_wirings_is_tried():

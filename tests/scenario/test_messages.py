@@ -194,12 +194,12 @@ scenarios/crane/transfer.toml:50:10: error[SCN203]: `expect` can only be `fail`,
         TRANSFER,
         ('"CR-2"', '"CR-1"'),
         """\
-scenarios/crane/transfer.toml:52:3: error[SCN407]: two requirements are called `CR-1`
-  52 | [[require]]
-     |   ^^^^^^^
-  scenarios/crane/transfer.toml:45:3: the first of them
-  45 | [[require]]
-     |   ^^^^^^^""",
+scenarios/crane/transfer.toml:53:10: error[SCN407]: two requirements are called `CR-1`
+  53 | id     = "CR-1"
+     |          ^^^^^^
+  scenarios/crane/transfer.toml:46:10: the first of them
+  46 | id     = "CR-1"
+     |          ^^^^^^""",
     ),
     (
         "a variant of a block that is not there",

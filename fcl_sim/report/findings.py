@@ -1,0 +1,62 @@
+"""Verdicts that are not green as findings: what is missed, where that is asked, by how much."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
+
+from fcl_sim.diagnostics import Diagnostic, Place
+from fcl_sim.judge.verdict import Status, Verdict
+from fcl_sim.report.words import value
+from fcl_sim.scenario.model import Scenario
+from fcl_sim.testbench import Outcome
+
+CODES: Mapping[Status, str] = MappingProxyType(
+    {
+        Status.FAULT: "JDG401",
+        Status.FAIL: "JDG402",
+        Status.INCONCLUSIVE: "JDG403",
+        Status.UNTESTED: "JDG404",
+    }
+)
+NOTHING_ASKED = "JDG405"
+
+
+def findings(outcomes: Sequence[Outcome]) -> Iterator[Diagnostic]:
+    """Yield a finding for everything that keeps the outcomes from being green, in their order."""
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            if not run.verdicts:
+                yield nothing_asked(outcome.scenario, run.variant)
+            for verdict in run.verdicts:
+                if verdict.status is not Status.PASS:
+                    yield of_verdict(verdict, run.variant, outcome.scenario)
+
+
+def of_verdict(verdict: Verdict, variant: str, scenario: Scenario) -> Diagnostic:
+    """Return the finding of a verdict other than PASS.
+
+    It stands where the requirement has its id; further places are where its
+    bounds, its formula or its corridor are written.
+    """
+    asked = verdict.requirement
+    label = "asked here" if verdict.value is None else f"measured {value(verdict)}"
+    first = Place(span=asked.span) if asked.span else Place(file=name_of(scenario))
+    return Diagnostic(
+        code=CODES[verdict.status],
+        message=f"{asked.id} is {verdict.status} in the run `{variant}`: {verdict.reason}",
+        places=(first, *(Place(span=each, label=label) for each in asked.asked)),
+    )
+
+
+def nothing_asked(scenario: Scenario, variant: str) -> Diagnostic:
+    """Return the finding of a run without a requirement."""
+    return Diagnostic(
+        code=NOTHING_ASKED,
+        message=f"nothing is required of the run `{variant}`",
+        places=(Place(file=name_of(scenario)),),
+        hint="write a [[require]]",
+    )
+
+
+def name_of(scenario: Scenario) -> str:
+    """Return the scenario's file, as the user calls it."""
+    return scenario.files[0].name
