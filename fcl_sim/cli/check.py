@@ -2,15 +2,15 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import click
 
 from fcl_sim import __version__, fcl
 from fcl_sim.cli.doors import Exit
+from fcl_sim.cli.outputs import root
 from fcl_sim.cli.rule_bases import rule_bases
-from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Severity
+from fcl_sim.diagnostics import Diagnostic, InputFault, Severity
 from fcl_sim.diagnostics.as_github import as_github
 from fcl_sim.diagnostics.as_json import as_json
 from fcl_sim.diagnostics.as_sarif import as_sarif
@@ -53,11 +53,10 @@ def command(paths: tuple[Path, ...], form: str, targets: tuple[str, ...]) -> Exi
         case "json":
             click.echo(_document(as_json(findings, [str(each) for each in files])))
         case "sarif":
-            click.echo(_document(as_sarif(findings, __version__, Path.cwd())))
+            click.echo(_document(as_sarif(findings, __version__, root())))
         case _:
-            draw = as_github if form == "github" else render
             for each in findings:
-                click.echo(draw(each))
+                click.echo(as_github(each, root()) if form == "github" else render(each))
             click.echo(_summary(files, findings))
     return Exit.INPUT if any(each.is_error for each in findings) else Exit.GREEN
 
@@ -76,7 +75,7 @@ def _findings(file: Path, statements: Sequence[Statement]) -> list[Diagnostic]:
             findings += fault.diagnostics
         for statement in statements:
             findings += excesses(block, statement)
-    return [each if each.places else replace(each, places=(Place(file=str(file)),)) for each in findings]
+    return [each.within(str(file)) for each in findings]
 
 
 def _summary(files: Sequence[Path], findings: Sequence[Diagnostic]) -> str:

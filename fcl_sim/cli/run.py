@@ -11,6 +11,7 @@ from fcl_sim.cli.against import against, print_against
 from fcl_sim.cli.benches import reports_folder, scenario_files
 from fcl_sim.cli.coverage import check_waivers, met, print_coverage
 from fcl_sim.cli.doors import Exit
+from fcl_sim.cli.outputs import Outputs
 from fcl_sim.cli.progress import progress
 from fcl_sim.cli.regressions import exit_code, print_regressions
 from fcl_sim.cli.table import console, print_envelopes, print_verdicts
@@ -23,6 +24,9 @@ from fcl_sim.scenario.overrides import setting
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.cover import LEAST
 from fcl_sim.verify.coverage import Coverage, Item
+
+FORMATS = ("text", "json", "github")
+FILE: click.Path = click.Path(path_type=Path, dir_okay=False)
 
 
 def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ...]) -> dict[str, object]:
@@ -46,7 +50,21 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 )
 @click.option("--reports", type=click.Path(path_type=Path), metavar="DIR", help="Write the reports there.")
 @click.option("--no-report", is_flag=True, help="Write no reports.")
-@click.option("--json", "as_json", is_flag=True, help="Print the results as one JSON document.")
+@click.option(
+    "--format",
+    "form",
+    type=click.Choice(FORMATS),
+    help="How results are printed; github adds annotations, as it does by itself under GITHUB_ACTIONS.",
+)
+@click.option("--json", "form", flag_value="json", help="Print one JSON document: --format json.")
+@click.option("--junit", type=FILE, metavar="FILE", help="Write the verdicts to FILE as JUnit XML.")
+@click.option("--sarif", type=FILE, metavar="FILE", help="Write what is not green to FILE as SARIF.")
+@click.option(
+    "--summary",
+    type=FILE,
+    metavar="FILE",
+    help="Write a page of Markdown to FILE; else to the job's, where GITHUB_STEP_SUMMARY names one.",
+)
 @click.option(
     "--trace",
     type=click.Path(path_type=Path),
@@ -81,12 +99,12 @@ def command(  # noqa: PLR0913  an option each
     overrides: dict[str, object],
     reports: Path | None,
     no_report: bool,
-    as_json: bool,
-    trace: Path | None,
+    form: str | None,
     older: str | None,
     show_coverage: bool,
     required: str | None,
     least: float,
+    **targets: Path | None,
 ) -> Exit:
     """Simulate scenarios in closed loop, judge them, write reports.
 
@@ -96,6 +114,9 @@ def command(  # noqa: PLR0913  an option each
     """
     files = scenario_files(paths)
     folder = None if no_report else reports or reports_folder()
+    trace = targets.pop("trace")
+    outputs = Outputs.of(targets, form)
+    as_json = form == "json"
     begun = perf_counter()
     outcomes, faults = _simulate(files, overrides)
     if older is not None and not faults:
@@ -105,6 +126,7 @@ def command(  # noqa: PLR0913  an option each
         _print(outcomes)
         if older is not None:
             print_against(outcomes, older, console())
+    written = outputs.write(outcomes, faults)
     if faults:
         raise InputFault(faults)  # no report either: it would not say what is missing
     covered = testbench.coverage(outcomes, least)
@@ -113,7 +135,7 @@ def command(  # noqa: PLR0913  an option each
         click.echo(results.text(outcomes, covered), nl=False)
     else:
         _print_coverage(covered, whole=show_coverage)
-    written = _write_traces(outcomes, trace) if trace else []
+    written += _write_traces(outcomes, trace) if trace else []
     if folder:
         written += _write_report(outcomes, folder, covered)[:1]
     for file in written:
@@ -147,7 +169,7 @@ def _simulate(
             try:
                 outcomes.append(testbench.run(file, overrides))
             except InputFault as fault:
-                faults.update(dict.fromkeys(fault.diagnostics))
+                faults.update(dict.fromkeys(each.within(str(file)) for each in fault.diagnostics))
     return outcomes, faults
 
 

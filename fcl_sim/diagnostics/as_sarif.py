@@ -18,6 +18,7 @@ SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 VERSION = "2.1.0"
 ROOT = "%SRCROOT%"
 LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "note"}
+BEGINNING = {"startLine": 1, "startColumn": 1, "endLine": 1, "endColumn": 1}
 
 Seen = Counter[tuple[str, str]]
 """How often each line of each file has had a finding of one code."""
@@ -28,7 +29,8 @@ def as_sarif(findings: Iterable[Diagnostic], version: str, root: Path) -> dict[s
 
     Files below `root` are named relative to it. Columns count UTF-16 code
     units, as SARIF's consumers do. A finding keeps its fingerprint when lines
-    are added above it.
+    are added above it. A finding about a whole file stands at its beginning,
+    for code hosts want a line.
     """
     listed = list(findings)
     codes = sorted({each.code for each in listed})
@@ -84,14 +86,12 @@ def _result(diagnostic: Diagnostic, index: int, root: Path, seen: Seen) -> dict[
 
 
 def _location(place: Place, root: Path) -> dict[str, Any]:
-    physical: dict[str, Any] = {"artifactLocation": _artifact(place.name, root)}
-    if place.span is not None:
-        physical["region"] = _region(place.span)
-    return {"physicalLocation": physical}
+    region = BEGINNING if place.span is None else _region(place.span)
+    return {"physicalLocation": {"artifactLocation": _artifact(place.name, root), "region": dict(region)}}
 
 
 def _artifact(name: str, root: Path) -> dict[str, str]:
-    whole = Path(os.path.normpath(root / name))
+    whole = Path(os.path.abspath(name))  # noqa: PTH100  a link is not followed: the checkout has it where it is
     if not whole.is_relative_to(root):
         return {"uri": whole.as_uri()}
     relative = whole.relative_to(root).as_posix()

@@ -1,6 +1,6 @@
 """One finding, as data: drawing it is the renderer's work."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from fcl_sim.diagnostics.source import Span
@@ -50,3 +50,7 @@ class Diagnostic:
     def is_error(self) -> bool:
         """Whether this finding stops a run."""
         return self.severity is Severity.ERROR
+
+    def within(self, file: str) -> "Diagnostic":
+        """Return the finding, at a whole file where it has no place of its own."""
+        return self if self.places else replace(self, places=(Place(file=file),))

@@ -30,11 +30,15 @@ metric = { peak = { signal = "crane.sway" } }
 max = "9 deg"
 """
 
+GITHUB = ("GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "GITHUB_WORKSPACE")
+"""What changes the output of commands on the build server that these tests may run on."""
+
 
 @pytest.fixture
 def invoke(monkeypatch):
     """Run the command line in this process: exit code, stdout and stderr are attributes of the result."""
-    monkeypatch.delenv("NO_COLOR", raising=False)
+    for name in ("NO_COLOR", *GITHUB):
+        monkeypatch.delenv(name, raising=False)
 
     def run(*arguments):
         return CliRunner().invoke(program, [str(each) for each in arguments], prog_name="fcl-sim")
@@ -62,7 +66,7 @@ def start(tmp_path):
 
 def environment(**settings):
     """Return the environment of a user who has fcl_sim installed."""
-    kept = {name: value for name, value in os.environ.items() if name not in {"COLUMNS", "NO_COLOR"}}
+    kept = {name: value for name, value in os.environ.items() if name not in {"COLUMNS", "NO_COLOR", *GITHUB}}
     return kept | {"PYTHONPATH": str(ROOT)} | settings
 
 

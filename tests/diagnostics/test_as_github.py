@@ -49,6 +49,14 @@ def test_a_file_without_a_text_and_no_file_at_all():
     )
 
 
+def test_files_are_named_relative_to_the_checkout_where_it_is_known(tmp_path, monkeypatch):
+    folder = tmp_path / "checkout" / "bench"
+    folder.mkdir(parents=True)
+    monkeypatch.chdir(folder)
+    assert read_back(as_github(OF_FILE, tmp_path / "checkout"))[1]["file"] == "bench/rules/bath 2.fcl"
+    assert read_back(as_github(OF_FILE, tmp_path / "elsewhere"))[1]["file"] == "rules/bath 2.fcl"
+
+
 def test_a_span_of_several_lines_has_no_last_column():
     text = Source("a.fcl", "RULE 1: IF\n  a;\n")
     line = as_github(Diagnostic(code="FCL201", message="x", places=(Place(Span(text, 5, 14)),)))

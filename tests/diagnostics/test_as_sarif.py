@@ -61,7 +61,20 @@ def test_the_hint_stands_in_the_message():
 
 def test_files_below_the_root_are_relative_and_encoded():
     (result,) = run_of(OF_FILE)["results"]
-    assert location(result) == {"artifactLocation": {"uri": "rules/bath%202.fcl", "uriBaseId": "%SRCROOT%"}}
+    assert location(result)["artifactLocation"] == {"uri": "rules/bath%202.fcl", "uriBaseId": "%SRCROOT%"}
+
+
+def test_a_finding_about_a_whole_file_stands_at_its_beginning():
+    (result,) = run_of(OF_FILE)["results"]
+    assert location(result)["region"] == {"startLine": 1, "startColumn": 1, "endLine": 1, "endColumn": 1}
+
+
+def test_relative_names_are_of_the_current_folder_and_uris_of_the_root(tmp_path, monkeypatch):
+    folder = tmp_path / "checkout" / "bench"
+    folder.mkdir(parents=True)
+    monkeypatch.chdir(folder)
+    (result,) = run_of(OF_FILE, root=tmp_path / "checkout")["results"]
+    assert location(result)["artifactLocation"]["uri"] == "bench/rules/bath%202.fcl"
 
 
 @pytest.mark.parametrize("name", ["bath.fcl", "./a/../bath.fcl", "größe #1?.fcl", "100%.fcl", "\udcff.fcl"])
