@@ -5,6 +5,7 @@ from pathlib import Path
 from docs.blocks import page as blocks
 from docs.conformance import page as conformance
 from docs.metrics import page as metrics
+from docs.results import page as results
 from fcl_sim.diagnostics.page import FAMILIES, frame, page
 from fcl_sim.diagnostics.page_text import families, page_markdown
 
@@ -22,6 +23,7 @@ def pages() -> dict[str, str]:
         "blocks.md": blocks(),
         "conformance.md": conformance(),
         "metrics.md": metrics(),
+        "results.md": results(),
         "diagnostics/README.md": _index(),
     } | written
 

@@ -22,7 +22,7 @@ COMMANDS = {
     "fmt": "Write rule bases in the canonical form of the standard.",
     "explain": "Tell what the code of a finding means, why it is a fault, and how it is mended.",
     "show": "Print what a file becomes on its way: tokens, tree, model, wiring ...",
-    "schema": "Print the JSON Schema of scenario files, for editors.",
+    "schema": "Print the JSON Schema of scenario files, of controller files or of results.",
     "new": "Copy the shipped bench into a new folder, as a start.",
 }
 
