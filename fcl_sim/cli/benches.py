@@ -1,23 +1,19 @@
 """Which bench a command works on, and where it may write."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.plant.catalog import shipped_bench
-from fcl_sim.scenario.baseline_file import BASELINES
-from fcl_sim.verify.waivers import ENDING as WAIVERS
+from fcl_sim.scenario.bench import BASELINES, NO_SCENARIOS, SCENARIOS, scenarios_below
 
 PACKAGE = Path(__file__).parents[1]
-NO_SCENARIOS = (".controller.toml", WAIVERS)
-"""Endings of the other files in TOML that stand beside scenarios."""
 
 
 def bench_here(folder: Path) -> Path | None:
     """Return the nearest folder, from `folder` upwards, that holds `scenarios/`; None where there is none."""
     for each in (folder, *folder.parents):
-        if (each / "scenarios").is_dir():
+        if (each / SCENARIOS).is_dir():
             return each
     return None
 
@@ -50,7 +46,7 @@ def scenario_files(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     found: dict[Path, None] = {}
     faults: list[Diagnostic] = []
     for path in paths or (default_bench(),):
-        files = [path] if _is_named(path) else list(_below(path))
+        files = [path] if _is_named(path) else list(scenarios_below(path))
         if not files:
             faults.append(_nothing(path))
         found.update(dict.fromkeys(files))
@@ -61,13 +57,6 @@ def scenario_files(paths: tuple[Path, ...]) -> tuple[Path, ...]:
 
 def _is_named(path: Path) -> bool:
     return path.is_file() and path.absolute().parent.name != BASELINES
-
-
-def _below(folder: Path) -> Iterator[Path]:
-    bench = folder / "scenarios"
-    for file in sorted((bench if bench.is_dir() else folder).rglob("*.toml")):
-        if not file.name.endswith(NO_SCENARIOS) and file.parent.name != BASELINES:
-            yield file
 
 
 def _nothing(path: Path) -> Diagnostic:

@@ -125,6 +125,8 @@ CODES: dict[str, str] = {
     "JDG403": "a requirement is not decided when the run ends",
     "JDG404": "a requirement was not put to the test",
     "JDG405": "nothing is required of a run",
+    "JDG406": "a run has no baseline",
+    "JDG407": "a run leaves its baseline",
     "PLT101": "there is no plant of that name",
     "PLT102": "a plant's file cannot be read",
     "PLT201": "a plant file declares no plant",

@@ -1,13 +1,16 @@
 """Verdicts that are not green as findings: what is missed, where that is asked, by how much."""
 
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from fcl_sim.diagnostics import Diagnostic, Place
 from fcl_sim.judge.verdict import Status, Verdict
+from fcl_sim.report import baselines
 from fcl_sim.report.words import value
+from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import Scenario
-from fcl_sim.testbench import Outcome
+from fcl_sim.testbench import Outcome, Run
 
 CODES: Mapping[Status, str] = MappingProxyType(
     {
@@ -17,7 +20,7 @@ CODES: Mapping[Status, str] = MappingProxyType(
         Status.UNTESTED: "JDG404",
     }
 )
-NOTHING_ASKED = "JDG405"
+NOTHING_ASKED, NO_BASELINE, CHANGED = "JDG405", "JDG406", "JDG407"
 
 
 def findings(outcomes: Sequence[Outcome]) -> Iterator[Diagnostic]:
@@ -29,6 +32,8 @@ def findings(outcomes: Sequence[Outcome]) -> Iterator[Diagnostic]:
             for verdict in run.verdicts:
                 if verdict.status is not Status.PASS:
                     yield of_verdict(verdict, run.variant, outcome.scenario)
+            if run.compared and run.compared.status is not Status.PASS:
+                yield of_baseline(run, outcome.scenario)
 
 
 def of_verdict(verdict: Verdict, variant: str, scenario: Scenario) -> Diagnostic:
@@ -44,6 +49,28 @@ def of_verdict(verdict: Verdict, variant: str, scenario: Scenario) -> Diagnostic
         code=CODES[verdict.status],
         message=f"{asked.id} is {verdict.status} in the run `{variant}`: {verdict.reason}",
         places=(first, *(Place(span=each, label=label) for each in asked.asked)),
+    )
+
+
+def of_baseline(run: Run, scenario: Scenario) -> Diagnostic:
+    """Return the finding of a run that leaves its baseline, or has none.
+
+    It stands where the requirements have their ids whose figures changed, else at the scenario's file.
+    """
+    accepted = run.compared.baseline if run.compared else None
+    hint = f'if that is meant: fcl-sim baseline update {shlex.quote(shown(scenario.path))} --reason "..."'
+    whole = Place(file=name_of(scenario))
+    if run.compared is None or accepted is None:
+        message = f"the run `{run.variant}` has NO BASELINE"
+        return Diagnostic(code=NO_BASELINE, message=message, places=(whole,), hint=hint)
+    changed = {each.id for each in run.compared.changed_metrics}
+    asked = [each.requirement for each in run.verdicts if each.requirement.id in changed]
+    told = "; ".join(baselines.lines(run))
+    return Diagnostic(
+        code=CHANGED,
+        message=f"the run `{run.variant}` leaves its baseline of {accepted.date}: {told}",
+        places=tuple(Place(span=each.span) for each in asked if each.span) or (whole,),
+        hint=hint,
     )
 
 

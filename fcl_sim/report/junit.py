@@ -9,15 +9,16 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from fcl_sim.diagnostics import Diagnostic, Place
 from fcl_sim.diagnostics.render import render
+from fcl_sim.judge.baseline import Comparison
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
-from fcl_sim.report.findings import name_of, nothing_asked, of_verdict
+from fcl_sim.report.findings import name_of, nothing_asked, of_baseline, of_verdict
 from fcl_sim.report.words import expectation, one_line, plain
 from fcl_sim.scenario.model import Scenario
 from fcl_sim.testbench import Outcome, Run
 
 TOOL = "fcl-sim"
-OF_RUN = "requirements"
-"""The case of a run of which nothing is required."""
+OF_RUN, OF_BASELINE = "requirements", "baseline"
+"""The case of a run of which nothing is required, and that of a run beside its baseline."""
 OF_INPUT = "input"
 """The suite of what could not be run."""
 
@@ -57,6 +58,14 @@ def facts(verdict: Verdict) -> Iterator[tuple[str, str]]:
         yield "expect", "fail"
 
 
+def baseline_facts(compared: Comparison) -> Iterator[tuple[str, str]]:
+    """Yield what there is to know of a run beside its baseline, as properties."""
+    yield "verdict", str(compared.status)
+    if compared.baseline:
+        yield "date", compared.baseline.date
+        yield "reason", one_line(compared.baseline.reason)
+
+
 def _of_run(scenario: Scenario, run: Run) -> Element:
     suite = Element("testsuite", name=plain(f"{scenario.name}.{run.variant}"), time=f"{run.seconds:.3f}")
     _properties(suite, [("scenario", plain(scenario.title)), ("run", plain(run.title))])
@@ -68,9 +77,13 @@ def _of_run(scenario: Scenario, run: Run) -> Element:
         elif verdict.requirement.expect_fail:
             SubElement(case, "system-out").text = plain(f"{expectation(verdict)}: {verdict.reason}")
     if not run.verdicts:
-        _fails(
-            _case(suite, OF_RUN, scenario, run), nothing_asked(scenario, run.variant), str(Status.UNTESTED)
-        )
+        case = _case(suite, OF_RUN, scenario, run)
+        _fails(case, nothing_asked(scenario, run.variant), str(Status.UNTESTED))
+    if run.compared:
+        case = _case(suite, OF_BASELINE, scenario, run)
+        _properties(case, list(baseline_facts(run.compared)))
+        if run.compared.status is not Status.PASS:
+            _fails(case, of_baseline(run, scenario), str(run.compared.status))
     return suite
 
 

@@ -25,14 +25,12 @@ from fcl_sim.judge.baseline import (
     SignalReference,
 )
 from fcl_sim.scenario.baseline_shape import WORDS, BaselineFile
+from fcl_sim.scenario.bench import BASELINES
 from fcl_sim.scenario.document import BASELINE_FILE, parse, read_file
 from fcl_sim.scenario.model import SourceFile
 from fcl_sim.scenario.shape import shape_faults
 from fcl_sim.toml.tree import Entry, finding
 from fcl_sim.units import Quantity, UnitError, nanoseconds, parse_quantity, parse_unit, short
-
-BASELINES = "baselines"
-"""The folder of baselines, beside the scenarios that they belong to; no scenario stands in it."""
 
 LONGEST = 200
 """Bytes of a file's name; of a longer one the rest is a digest, for file systems take 255."""

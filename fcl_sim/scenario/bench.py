@@ -1,8 +1,28 @@
-"""Which bench a scenario belongs to, and what the scenario is called there."""
+"""Which files are scenarios, which bench one belongs to, and what it is called there."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 SCENARIOS, PLANTS = "scenarios", "plants"
+SCENARIO, CONTROLLER, WAIVERS = ".toml", ".controller.toml", ".waivers.toml"
+"""What the names of scenarios, of controllers and of files of waivers end in."""
+NO_SCENARIOS = (CONTROLLER, WAIVERS)
+BASELINES = "baselines"
+"""The folder of baselines, beside the scenarios that they belong to; no scenario stands in it."""
+
+
+def is_scenario(path: Path) -> bool:
+    """Return whether a file is a scenario by its name: TOML, but no controller, baseline or waivers."""
+    ours = path.name.endswith(SCENARIO) and not path.name.endswith(NO_SCENARIOS)
+    return ours and path.absolute().parent.name != BASELINES
+
+
+def scenarios_below(folder: Path) -> Iterator[Path]:
+    """Yield the scenarios below a folder, below its `scenarios/` where it is a bench, sorted."""
+    bench = folder / SCENARIOS
+    for file in sorted((bench if bench.is_dir() else folder).rglob(f"*{SCENARIO}")):
+        if is_scenario(file):
+            yield file
 
 
 def bench_of(path: Path) -> Path:

@@ -204,6 +204,14 @@ def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
         yield finding("SCN402", "`signal` is the name of a signal, in quotes", signal)
 
 
+def asked_of(
+    texts: Sequence[RequirementText], variant: str, asked_over: Container[Over] = NOMINAL_RUN
+) -> list[RequirementText]:
+    """Return what is asked of the run of a variant: one that is relative to that run itself is not."""
+    others = [each for each in texts if each.relative_to is None or each.relative_to.variant != variant]
+    return [each for each in others if each.over in asked_over]
+
+
 def requirements_for(
     texts: Sequence[RequirementText],
     variant: str,
@@ -219,9 +227,7 @@ def requirements_for(
     InputFault where a signal does not exist or a unit does not fit.
     """
     faults: list[Diagnostic] = []
-    asked = [each for each in texts if each.over in asked_over]
-    asked = [each for each in asked if each.relative_to is None or each.relative_to.variant != variant]
-    found = [(text, _in_units(text, variant, units, faults)) for text in asked]
+    found = [(text, _in_units(text, variant, units, faults)) for text in asked_of(texts, variant, asked_over)]
     if faults:
         raise InputFault(faults)
     return tuple(
