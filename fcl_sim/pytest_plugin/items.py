@@ -48,10 +48,9 @@ class ScenarioFile(pytest.File):
 
     def setup(self) -> None:
         """Simulate and judge; what is wrong with its files is an error of every item."""
-        try:
-            self.outcome = run_scenario(self.scenario)
-        except InputFault as fault:
-            pytest.fail(render_all(fault.diagnostics), pytrace=False)
+        self.outcome, faults = _simulated(self.scenario)
+        if faults:
+            pytest.fail(render_all(faults), pytrace=False)
 
     def teardown(self) -> None:
         """Forget the traces."""
@@ -198,6 +197,14 @@ class BaselineItem(RunItem):
             place = Place(file=str(error.filename or self.path))
             message = f"the baseline cannot be written: {error.strerror or error}"
             raise Missed(Diagnostic(code="RUN101", message=message, places=(place,))) from None
+
+
+def _simulated(scenario: Scenario) -> tuple[Outcome | None, tuple[Diagnostic, ...]]:
+    """Return what came of a scenario, or what is wrong with its files."""
+    try:
+        return run_scenario(scenario), ()
+    except InputFault as fault:
+        return None, fault.diagnostics
 
 
 def _remarks(verdict: Verdict) -> Iterator[str]:

@@ -65,10 +65,11 @@ def of_baseline(run: Run, scenario: Scenario) -> Diagnostic:
         return Diagnostic(code=NO_BASELINE, message=message, places=(whole,), hint=hint)
     changed = {each.id for each in run.compared.changed_metrics}
     asked = [each.requirement for each in run.verdicts if each.requirement.id in changed]
-    told = "; ".join(baselines.lines(run))
+    first, *others = baselines.lines(run)
+    more = f"; and {len(others)} more" if others else ""
     return Diagnostic(
         code=CHANGED,
-        message=f"the run `{run.variant}` leaves its baseline of {accepted.date}: {told}",
+        message=f"the run `{run.variant}` leaves its baseline of {accepted.date}: {first}{more}",
         places=tuple(Place(span=each.span) for each in asked if each.span) or (whole,),
         hint=hint,
     )

@@ -11,6 +11,7 @@ from fcl_sim.diagnostics import Diagnostic, Place
 from fcl_sim.diagnostics.render import render
 from fcl_sim.judge.baseline import Comparison
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
+from fcl_sim.report.baselines import lines as lines_of
 from fcl_sim.report.findings import name_of, nothing_asked, of_baseline, of_verdict
 from fcl_sim.report.words import expectation, one_line, plain
 from fcl_sim.scenario.model import Scenario
@@ -83,7 +84,7 @@ def _of_run(scenario: Scenario, run: Run) -> Element:
         case = _case(suite, OF_BASELINE, scenario, run)
         _properties(case, list(baseline_facts(run.compared)))
         if run.compared.status is not Status.PASS:
-            _fails(case, of_baseline(run, scenario), str(run.compared.status))
+            _fails(case, of_baseline(run, scenario), str(run.compared.status), lines=list(lines_of(run)))
     return suite
 
 
@@ -121,9 +122,12 @@ def _properties(owner: Element, pairs: Sequence[tuple[str, str]]) -> None:
         SubElement(table, "property", name=name, value=value)
 
 
-def _fails(case: Element, finding: Diagnostic, kind: str, tag: str = "") -> None:
+def _fails(
+    case: Element, finding: Diagnostic, kind: str, tag: str = "", *, lines: Sequence[str] = ()
+) -> None:
     tag = tag or ("error" if kind == Status.FAULT else "failure")
-    SubElement(case, tag, type=kind, message=one_line(finding.message)).text = plain(render(finding))
+    told = "\n".join([render(finding), *(f"  {each}" for each in lines)])
+    SubElement(case, tag, type=kind, message=one_line(finding.message)).text = plain(told)
 
 
 def _count(root: Element) -> None:
