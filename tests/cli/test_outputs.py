@@ -1,0 +1,101 @@
+"""What `fcl-sim run` leaves for build servers."""
+
+import json
+
+import pytest
+from jsonschema import Draft202012Validator
+from junitparser import JUnitXml
+from sarif_pydantic import Sarif
+
+from tests.house.places import ROOT
+
+
+@pytest.fixture
+def missing(bench):
+    """The bench, whose one requirement is missed; it has a baseline of that."""
+    short = bench / "scenarios" / "crane" / "short.toml"
+    short.write_text(short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"'))
+    return bench
+
+
+def test_every_file_that_is_named_is_written_into_folders_that_are_made(invoke, missing):
+    result = invoke(
+        "run",
+        "--no-report",
+        "--junit",
+        "out/junit.xml",
+        "--sarif",
+        "out/x.sarif",
+        "--summary",
+        "out/summary.md",
+    )
+    assert result.exit_code == 1
+    assert [line for line in result.stdout.splitlines() if line.startswith("written: ")] == [
+        "written: out/junit.xml",
+        "written: out/x.sarif",
+        "written: out/summary.md",
+    ]
+    assert JUnitXml.fromfile("out/junit.xml").failures >= 1
+    log = json.loads((missing / "out/x.sarif").read_text("utf-8"))
+    Sarif.model_validate(log)
+    first = log["runs"][0]["results"][0]
+    assert first["ruleId"] == "JDG402"
+    location = first["locations"][0]["physicalLocation"]
+    assert location["artifactLocation"]["uri"] == "scenarios/crane/short.toml"
+    assert location["region"]["startLine"] == 14
+    assert (missing / "out/summary.md").read_text("utf-8").startswith("## fcl-sim: FAIL\n")
+
+
+ANNOTATION = (
+    "::error file=scenarios/crane/short.toml,line=14,endLine=14,col=6,endColumn=10,"
+    "title=JDG402 a requirement is not met::S-1 is FAIL in the run `base`: "
+)
+
+
+def test_annotations_are_printed_where_they_are_asked_for(invoke, missing):
+    assert "::error" not in invoke("run", "--no-report").stderr
+    assert ANNOTATION in invoke("run", "--no-report", "--format", "github").stderr
+
+
+def test_on_github_they_come_by_themselves_and_so_does_the_page_of_the_job(invoke, missing, monkeypatch):
+    page = missing / "summary.md"
+    page.write_text("# before\n")
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
+    monkeypatch.setenv("GITHUB_STEP_SUMMARY", str(page))
+    monkeypatch.setenv("GITHUB_WORKSPACE", str(missing.parent))
+    result = invoke("run", "--no-report")
+    assert ANNOTATION.replace("file=", f"file={missing.name}/") in result.stderr
+    assert page.read_text("utf-8").startswith("# before\n## fcl-sim: FAIL\n")
+    assert "::error" not in invoke("run", "--no-report", "--format", "text").stderr
+
+
+def test_a_scenario_that_cannot_be_read_is_told_everywhere(invoke, bench):
+    (bench / "scenarios" / "typo.toml").write_text("durasion = 1\n")
+    result = invoke("run", "--format", "github", "--junit", "j.xml", "--sarif", "s.json", "--summary", "s.md")
+    assert result.exit_code == 3
+    assert "::error file=scenarios/typo.toml,line=1," in result.stderr
+    assert JUnitXml.fromfile("j.xml").errors >= 1
+    codes = {
+        each["ruleId"] for each in json.loads((bench / "s.json").read_text("utf-8"))["runs"][0]["results"]
+    }
+    assert "SCN201" in codes
+    assert "input fault" in (bench / "s.md").read_text("utf-8")
+
+
+def test_a_file_that_cannot_be_written_is_an_input_fault(invoke, bench):
+    (bench / "file").touch()
+    result = invoke("run", "--no-report", "--junit", "file/junit.xml")
+    assert result.exit_code == 3
+    assert "error[RUN101]" in result.stderr
+
+
+def test_what_run_and_judge_print_follows_the_schema_that_schema_prints(invoke, bench):
+    check = Draft202012Validator(json.loads(invoke("schema", "results").stdout)).validate
+    check(json.loads(invoke("run", "--no-report", "--json", "--trace", "x.csv").stdout))
+    check(json.loads(invoke("judge", "x.csv", "--with", "scenarios/crane/short.toml", "--json").stdout))
+
+
+def test_the_shipped_bench_follows_it_as_well(invoke, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    check = Draft202012Validator(json.loads(invoke("schema", "results").stdout)).validate
+    check(json.loads(invoke("run", "--no-report", "--json").stdout))
