@@ -18,7 +18,7 @@ fuzz_stamp := $(venv)/fuzz.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench speed prove docs fuzz images lock clean
+.PHONY: help run test lint smoke bench gate speed prove docs fuzz images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -52,6 +52,9 @@ smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench fro
 
 bench: $(test_stamp) ## measure the speed, against C and other Python libraries
 	@$(python) -m benchmarks
+
+gate: $(test_stamp) ## fail where the simulation has become slower beside C (benchmarks/gate.toml)
+	@$(python) -m benchmarks --gate benchmarks/gate.toml
 
 speed: $(test_stamp) ## the same, and write it to docs/speed.md
 	@$(python) -m benchmarks --write

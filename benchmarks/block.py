@@ -12,7 +12,7 @@ import numpy as np
 from numpy import float64, int64
 from numpy.typing import NDArray
 
-from benchmarks.yardstick import compiled, in_turns, pointer
+from benchmarks.yardstick import Line, compiled, in_turns, pointer
 from fcl_sim.block import Block, loads
 from fcl_sim.engine.infer import infer
 from fcl_sim.jit import F, I, entry, f8, signature
@@ -121,7 +121,7 @@ def cases() -> tuple[Case, ...]:
     )
 
 
-def measure_block() -> Iterator[str]:
+def measure_block() -> Iterator[Line | str]:
     """Yield lines for each block: in a loop, over an array, from Python."""
     library = compiled("block.c")
     for case in cases():
@@ -129,7 +129,7 @@ def measure_block() -> Iterator[str]:
     yield from _growth()
 
 
-def _measured(case: Case, library: ctypes.CDLL) -> Iterator[str]:
+def _measured(case: Case, library: ctypes.CDLL) -> Iterator[Line | str]:
     random = np.random.default_rng(1)
     n = 200_000
     a, b = (random.uniform(*limits, n) for limits in case.ranges)
@@ -182,5 +182,6 @@ def _growth() -> Iterator[str]:
         yield f"{size * size} rules of which four can fire, in a loop: {1e9 * ours / a.size:.0f} ns"
 
 
-def _line(title: str, ours: float, theirs: float) -> str:
-    return f"{title}: {1e9 * ours:.1f} ns, C {1e9 * theirs:.1f} ns, {ours / theirs:.2f} times C"
+def _line(title: str, ours: float, theirs: float) -> Line:
+    ratio = ours / theirs
+    return Line(title, f"{1e9 * ours:.1f} ns, C {1e9 * theirs:.1f} ns, {ratio:.2f} times C", ratio)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.yardstick import compiled, in_turns, pointer
+from benchmarks.yardstick import Line, compiled, in_turns, pointer
 from fcl_sim.loop.diagram import Diagram, Node, Wire
 from fcl_sim.loop.run import run_tape
 from fcl_sim.loop.tape import Tape, lower
@@ -66,7 +66,7 @@ def disturbed(diagram: Diagram) -> Diagram:
     )
 
 
-def measure_loop() -> Iterator[str]:
+def measure_loop() -> Iterator[Line]:
     """Yield a line for each scan time, and one with disturbances: ours, C, the ratio; the two must agree."""
     library = compiled("crane_loop.c")
     for milliseconds in (10, 50):
@@ -85,7 +85,7 @@ def measure_loop() -> Iterator[str]:
 
 def _compared(
     title: str, tape: Tape, theirs: Callable[..., object], milliseconds: int, columns: int, *further: object
-) -> str:
+) -> Line:
     scans = 60_000 // milliseconds
     record = np.zeros((scans + 1, columns))
     p = np.array(PARAMETERS)
@@ -104,7 +104,10 @@ def _compared(
 
     ours, other = in_turns(lambda: run_tape(tape), in_c)
     off = np.abs(run_tape(tape)["crane.position"] - record[:, 3]).max()
-    return (
-        f"{title}: {1e3 * ours:.2f} ms, C {1e3 * other:.2f} ms, "
-        f"{ours / other:.2f} times C (positions differ by at most {off:.1g} m)"
+    ratio = ours / other
+    return Line(
+        title,
+        f"{1e3 * ours:.2f} ms, C {1e3 * other:.2f} ms, "
+        f"{ratio:.2f} times C (positions differ by at most {off:.1g} m)",
+        ratio,
     )

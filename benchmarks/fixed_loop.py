@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.block import crane
-from benchmarks.yardstick import compiled, in_turns, pointer
+from benchmarks.yardstick import Line, compiled, in_turns, pointer
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Integration, PlantNode, Timing, Wire
 from fcl_sim.loop.run import run_tape
 from fcl_sim.loop.tape import lower
@@ -36,7 +36,7 @@ def fixed_loop(plant: str, scans: int, steps: int) -> Diagram:
     )
 
 
-def measure_fixed() -> Iterator[str]:
+def measure_fixed() -> Iterator[Line]:
     """Yield a line for a lag with one step a scan, and one for a crane with ten: ours, C, the ratio."""
     library = compiled("block.c")
     p, of_crane = np.array(LAG), np.array(CRANE)
@@ -56,13 +56,15 @@ def measure_fixed() -> Iterator[str]:
     )
 
 
-def _compared(title: str, plant: str, scans: int, steps: int, theirs: Callable[[int, object], None]) -> str:
+def _compared(title: str, plant: str, scans: int, steps: int, theirs: Callable[[int, object], None]) -> Line:
     """Return a line: ours, C, the ratio; the two must agree."""
     tape = lower(wire(fixed_loop(plant, scans, steps)))
     record = np.zeros((scans + 1, COLUMNS))
     ours, other = in_turns(lambda: run_tape(tape), lambda: theirs(scans, pointer(record)), rounds=21)
     off = np.abs(run_tape(tape)["plant.distance"] - record[:, 0]).max()
-    return (
-        f"{title}: {1e9 * ours / scans:.0f} ns a scan, C {1e9 * other / scans:.0f} ns, "
-        f"{ours / other:.2f} times C (distances differ by at most {off:.1g} m)"
+    return Line(
+        title,
+        f"{1e9 * ours / scans:.0f} ns a scan, C {1e9 * other / scans:.0f} ns, "
+        f"{ours / other:.2f} times C (distances differ by at most {off:.1g} m)",
+        ours / other,
     )

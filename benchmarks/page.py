@@ -12,6 +12,8 @@ from pathlib import Path
 import numba
 import numpy as np
 
+from benchmarks.yardstick import Line
+
 PAGE = Path(__file__).parents[1] / "docs" / "speed.md"
 
 HEAD = """\
@@ -35,7 +37,7 @@ class Section:
     """A table: what was measured, and the result."""
 
     title: str
-    lines: tuple[tuple[str, str], ...]
+    lines: tuple[Line, ...]
 
 
 def setting() -> str:
@@ -58,7 +60,7 @@ def write(sections: Iterable[Section]) -> None:
     """Write the page."""
     parts = [HEAD.format(date=datetime.now(UTC).date().isoformat(), machine=setting())]
     for section in sections:
-        rows = [f"| {what} | {result} |" for what, result in section.lines]
+        rows = [f"| {each.what} | {each.result} |" for each in section.lines]
         parts.append("\n".join([f"## {section.title}", "", "| what | measured |", "|---|---|", *rows, ""]))
     PAGE.write_text("\n".join(parts), "utf-8")
 

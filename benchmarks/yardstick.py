@@ -7,11 +7,29 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
 import numpy as np
 from numpy.typing import NDArray
+
+
+@dataclass(frozen=True)
+class Line:
+    """What was measured, the result in words, and where there is one its ratio to C within this run."""
+
+    what: str
+    result: str
+    ratio: float | None = None
+
+    @classmethod
+    def of(cls, measured: "Line | str") -> "Line":
+        """Return a line of `what: result`, or the one that it is already."""
+        if isinstance(measured, Line):
+            return measured
+        what, _, result = measured.partition(": ")
+        return cls(what, result)
 
 
 def compiled(source: str) -> ctypes.CDLL:

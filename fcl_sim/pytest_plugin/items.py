@@ -13,7 +13,7 @@ from fcl_sim.diagnostics import Diagnostic, InputFault, Place
 from fcl_sim.diagnostics.render import render, render_all
 from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.report import baselines, junit
-from fcl_sim.report.findings import nothing_asked, of_baseline, of_verdict
+from fcl_sim.report.findings import of_baseline, of_verdict
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import RequirementText, Scenario
 from fcl_sim.scenario.reader import read
@@ -68,11 +68,8 @@ class RunNode(pytest.Collector):
 
     def collect(self) -> Iterator["RunItem"]:
         """Yield an item for each requirement, and one for the baseline."""
-        asked = asked_of(self.file.scenario.requirements, self.name)
-        for text in asked:
+        for text in asked_of(self.file.scenario.requirements, self.name):
             yield RequirementItem.from_parent(self, name=text.id, text=text)
-        if not asked:
-            yield NothingAskedItem.from_parent(self, name=junit.OF_RUN)
         yield BaselineItem.from_parent(self, name=junit.OF_BASELINE)
 
 
@@ -143,18 +140,6 @@ class RequirementItem(RunItem):
         self.user_properties += junit.facts(verdict)
         if verdict.status is not Status.PASS:
             raise Missed(of_verdict(verdict, self.node.name, self.scenario), *_remarks(verdict))
-
-
-class NothingAskedItem(RunItem):
-    """A run of which nothing is required."""
-
-    def marked(self) -> dict[str, Any]:
-        """Return that it is about no requirement."""
-        return {"requirement": ""}
-
-    def runtest(self) -> None:
-        """Fail: what is asked nothing must not be green."""
-        raise Missed(nothing_asked(self.scenario, self.node.name))
 
 
 class BaselineItem(RunItem):

@@ -27,7 +27,7 @@ def findings(outcomes: Sequence[Outcome]) -> Iterator[Diagnostic]:
     """Yield a finding for everything that keeps the outcomes from being green, in their order."""
     for outcome in outcomes:
         for run in outcome.variants.values():
-            if not run.verdicts:
+            if not run.verdicts and run.compared is None:
                 yield nothing_asked(outcome.scenario, run.variant)
             for verdict in run.verdicts:
                 if verdict.status is not Status.PASS:

@@ -77,7 +77,7 @@ def _of_run(scenario: Scenario, run: Run) -> Element:
             _fails(case, of_verdict(verdict, run.variant, scenario), str(verdict.status))
         elif verdict.requirement.expect_fail:
             SubElement(case, "system-out").text = plain(f"{expectation(verdict)}: {verdict.reason}")
-    if not run.verdicts:
+    if not run.verdicts and run.compared is None:
         case = _case(suite, OF_RUN, scenario, run)
         _fails(case, nothing_asked(scenario, run.variant), str(Status.UNTESTED))
     if run.compared:

@@ -1,6 +1,7 @@
 """What `fcl-sim run` leaves for build servers."""
 
 import json
+import re
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -93,6 +94,21 @@ def test_what_run_and_judge_print_follows_the_schema_that_schema_prints(invoke, 
     check = Draft202012Validator(json.loads(invoke("schema", "results").stdout)).validate
     check(json.loads(invoke("run", "--no-report", "--json", "--trace", "x.csv").stdout))
     check(json.loads(invoke("judge", "x.csv", "--with", "scenarios/crane/short.toml", "--json").stdout))
+
+
+def test_so_does_a_run_that_left_its_baseline_beside_an_older_rule_base(invoke, bench):
+    rules = bench / "scenarios" / "crane" / "crane_completed.fcl"
+    (bench / "old.fcl").write_bytes(rules.read_bytes())
+    assert invoke("baseline", "update", "--reason", "the first").exit_code == 0
+    text = rules.read_text("utf-8")
+    rules.write_text(re.sub(r"(TERM pos_high\s*:=\s*)[\d.]+", r"\g<1>20", text))
+    assert rules.read_text("utf-8") != text
+    check = Draft202012Validator(json.loads(invoke("schema", "results").stdout)).validate
+    document = json.loads(invoke("run", "--no-report", "--json", "--against", "old.fcl").stdout)
+    check(document)
+    (run,) = document["scenarios"][0]["variants"]
+    assert run["baseline"]["cause"]["edits"]
+    assert document["scenarios"][0]["against"]["variants"]
 
 
 def test_the_shipped_bench_follows_it_as_well(invoke, monkeypatch):
