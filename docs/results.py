@@ -7,17 +7,26 @@ from fcl_sim.report.schema import json_schema
 HEAD = """\
 # Results as JSON
 
-`fcl-sim run --json` prints one document; `results.json` beside a report is the same, and the PDF carries it.
-`fcl-sim judge --json` prints one of the same make. Their JSON Schema is printed by
+With `--json` a command prints one document. `results.json` beside a report is that of `fcl-sim run --json`,
+and the PDF carries it. One JSON Schema tells of them all; it is printed by
 
     fcl-sim schema results
 
-The document depends on the inputs alone: no times of day, no durations of a computation. Numbers that JSON
-has no word for (an infinite settling time) are null. Every key is always there. `schema` rises when a key
-changes its meaning or goes; a later version may add keys."""
+Results depend on the inputs alone: no times of day, no durations of a computation. Numbers that JSON has no
+word for (an infinite settling time) are null. A key that is marked *optional* may be left out, every other is
+always there. `schema` rises when a key changes its meaning or goes; a later version may add keys."""
 
 WORDS = {"string": "text", "object": "table", "boolean": "true or false"}
-NAMES = {"results": "Results", "judged_trace": "A judged trace"}
+NAMES = {
+    "results": "Results",
+    "judged_trace": "A judged trace",
+    "findings": "Findings",
+    "codes": "Codes",
+    "evaluation": "An evaluation",
+    "conformance_tables": "Tables of conformance",
+    "conformance": "Conformance of rule bases",
+}
+"""Of the documents; what they consist of has the name that the schema gives it."""
 
 
 def page() -> str:
@@ -40,7 +49,8 @@ def _rows(schema: dict[str, Any], prefix: str = "") -> list[str]:
     rows = []
     for key, each in schema["properties"].items():
         inner = next((one for one in (each, *each.get("anyOf", ())) if "properties" in one), None)
-        rows.append(f"| `{prefix}{key}` | {_kind(each)} | {each['description']} |")
+        optional = "" if key in schema["required"] else ", *optional*"
+        rows.append(f"| `{prefix}{key}` | {_kind(each)}{optional} | {each['description']} |")
         rows += _rows(inner, f"{prefix}{key}.") if inner else []
     return rows
 

@@ -14,7 +14,7 @@ def command(kind: str) -> None:
     """Print the JSON Schema of scenario files, of controller files or of results.
 
     `fcl-sim schema controller` prints that of controller files (*.controller.toml), for editors as well;
-    `fcl-sim schema results` that of what `fcl-sim run --json` and `fcl-sim judge --json` print.
+    `fcl-sim schema results` that of what every command prints with --json.
     """
     shape = of_results.json_schema() if kind == "results" else of_files.json_schema(kind)
     click.echo(json.dumps(shape, indent=2, ensure_ascii=False))

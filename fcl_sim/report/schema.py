@@ -1,4 +1,4 @@
-"""The JSON Schema of the results: what `fcl-sim run --json` and `fcl-sim judge --json` print, key by key.
+"""The JSON Schema of everything that fcl-sim prints with `--json`, key by key.
 
 Each document is closed: a key that is not written down here does not occur. A
 later version may add keys; `schema` rises when one changes its meaning or goes.
@@ -6,7 +6,7 @@ later version may add keys; `schema` rises when one changes its meaning or goes.
 
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Form, Status
-from fcl_sim.report import schema_baseline
+from fcl_sim.report import schema_baseline, schema_documents
 from fcl_sim.report.schema_parts import (
     Schema,
     by_name,
@@ -29,18 +29,19 @@ HASH = "^[0-9a-f]{64}$"
 
 
 def json_schema() -> Schema:
-    """Return the schema of both documents, told apart by `scenarios` and `trace`."""
+    """Return the schema of all documents, told apart by their keys."""
+    whole_documents = {
+        "results": _results(),
+        "judged_trace": _judged_trace(),
+        **schema_documents.documents(),
+    }
     return {
         "$schema": DIALECT,
-        "title": "Results of fcl-sim",
-        "description": (
-            "`fcl-sim run --json` and results.json beside a report have `scenarios`; "
-            "`fcl-sim judge --json` has `trace`. Numbers that JSON has no word for are null."
-        ),
-        "oneOf": [reference("results"), reference("judged_trace")],
+        "title": "What fcl-sim prints as JSON",
+        "description": "Numbers that JSON has no word for are null.",
+        "oneOf": [reference(name) for name in whole_documents],
         "$defs": {
-            "results": _results(),
-            "judged_trace": _judged_trace(),
+            **whole_documents,
             "scenario": _scenario(),
             "input": _input(),
             "against": _against(),
@@ -53,6 +54,7 @@ def json_schema() -> Schema:
             "corridor": _corridor(),
             "band": _band(),
             **schema_baseline.definitions(),
+            **schema_documents.definitions(),
             "status": {
                 "description": "in order of gravity; only PASS is green",
                 "enum": [str(each) for each in Status],
@@ -63,7 +65,7 @@ def json_schema() -> Schema:
 
 def _results() -> Schema:
     return table(
-        "What came of a run of scenarios",
+        "What came of a run of scenarios: `fcl-sim run --json`",
         **_made_by(),
         verdict=status("the gravest of all scenarios"),
         scenarios=list_of("every scenario that was run", "scenario"),
@@ -72,7 +74,7 @@ def _results() -> Schema:
 
 def _judged_trace() -> Schema:
     return table(
-        "What came of a recorded trace",
+        "What came of a recorded trace: `fcl-sim judge --json`",
         **_made_by(),
         verdict=status("the gravest of the requirements"),
         trace=text("file of the trace"),

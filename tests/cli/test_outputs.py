@@ -8,6 +8,8 @@ from jsonschema import Draft202012Validator
 from junitparser import JUnitXml
 from sarif_pydantic import Sarif
 
+from fcl_sim.cli.program import COMMANDS
+from tests.cli.test_documentation import options_of
 from tests.house.places import ROOT
 
 
@@ -90,10 +92,36 @@ def test_a_file_that_cannot_be_written_is_an_input_fault(invoke, bench):
     assert "error[RUN101]" in result.stderr
 
 
-def test_what_run_and_judge_print_follows_the_schema_that_schema_prints(invoke, bench):
+RULES = "scenarios/crane/crane_completed.fcl"
+PRINTING = {
+    "check": [("scenarios",), ("nothing.fcl",), ("mistaken.fcl",)],
+    "conformance": [(), (RULES,)],
+    "eval": [
+        (RULES, "distance=12", "angle=4"),
+        (RULES, "distance=12", "angle=4", "--explain"),
+        (RULES, "distance=12", "angle=4", "--arithmetic", "REAL"),
+    ],
+    "explain": [(), ("FCL310",)],
+    "judge": [("x.csv", "--with", "scenarios/crane/short.toml")],
+    "run": [("--no-report",)],
+}
+"""The commands that print JSON, each with calls that make it print what it can."""
+
+
+def test_every_command_that_prints_json_is_tried():
+    found = {name for name in COMMANDS if "--json" in options_of(name)}
+    assert found == set(PRINTING)
+
+
+@pytest.mark.parametrize("name", PRINTING)
+def test_every_document_follows_the_schema(invoke, bench, name):
+    rules = (bench / RULES).read_text("utf-8")
+    (bench / "mistaken.fcl").write_text(rules.replace("IS zero", "IS zeero"))
+    if name == "judge":
+        invoke("run", "--no-report", "--trace", "x.csv")
     check = Draft202012Validator(json.loads(invoke("schema", "results").stdout)).validate
-    check(json.loads(invoke("run", "--no-report", "--json", "--trace", "x.csv").stdout))
-    check(json.loads(invoke("judge", "x.csv", "--with", "scenarios/crane/short.toml", "--json").stdout))
+    for arguments in PRINTING[name]:
+        check(json.loads(invoke(name, *arguments, "--json").stdout))
 
 
 def test_so_does_a_run_that_left_its_baseline_beside_an_older_rule_base(invoke, bench):
