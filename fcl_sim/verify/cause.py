@@ -20,6 +20,7 @@ from fcl_sim.judge.verdict import Requirement, Status
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node
 from fcl_sim.loop.run import run
 from fcl_sim.loop.trace import FuzzyRecord, Trace, Values
+from fcl_sim.model.labels import unique_labels
 from fcl_sim.verify.edits import RULE, TERM, Edit, edits
 from fcl_sim.verify.record import canonical
 from fcl_sim.verify.setting import setting_of
@@ -151,8 +152,8 @@ def _touched(
         for version in (block, nodes[name].block):
             rules = (rule for each in version.function_block.rule_blocks for rule in each.rules)
             touched |= {
-                (name, rule.label)
-                for rule in rules
+                (name, label)
+                for label, rule in zip(unique_labels(version.function_block), rules, strict=True)
                 if any((name, each.variable, each.term) in terms for each in rule.conclusions)
             }
     return touched
@@ -221,6 +222,6 @@ def _rule_changes(
     for label in dict.fromkeys((*new, *old)):
         before, after = old.get(label), new.get(label)
         moved = abs((after or 0.0) - (before or 0.0))
-        if moved > SAME or (label.rpartition(".")[2] in touched and (before or after)):
+        if moved > SAME or (label in touched and (before or after)):
             found.append((moved, RuleChange(label=label, old=before, new=after)))
     yield from (each for _, each in sorted(found, key=lambda pair: -pair[0]))

@@ -9,6 +9,7 @@ from fcl_sim.fcl.write_rules import rule_lines
 from fcl_sim.fcl.write_sections import defuzzify, fuzzify, rule_block
 from fcl_sim.fcl.write_terms import term_lines
 from fcl_sim.model import FunctionBlock, Term, Variable
+from fcl_sim.model.labels import unique_labels
 
 ENDLESS = 10**6
 """Width of a text that stays on one line."""
@@ -22,7 +23,8 @@ class Edit:
     """What was edited in a rule base; `old` is empty where it was added, `new` where it was taken out.
 
     `owner` is the variable of a term or setting, the rule block of a rule or
-    setting; `name` the term, the rule's label, the keyword of a setting.
+    setting; `name` the term, the rule's label, no two of them alike, the
+    keyword of a setting.
     """
 
     kind: str
@@ -58,10 +60,11 @@ def _parts(block: FunctionBlock) -> Iterator[tuple[Key, str]]:
     for output in block.defuzzifications:
         yield from _terms(output.variable, output.terms)
         yield from _settings(output.variable, defuzzify(output, NO_COMMENTS, terse=True))
+    labels = iter(unique_labels(block))
     for rules in block.rule_blocks:
         yield from _settings(rules.name, rule_block(rules, NO_COMMENTS, terse=True))
-        for rule in rules.rules:
-            yield (RULE, rules.name, rule.label), rule_lines(rule, ENDLESS)[0].removesuffix(";")
+        for rule, label in zip(rules.rules, labels, strict=False):
+            yield (RULE, rules.name, label), rule_lines(rule, ENDLESS)[0].removesuffix(";")
 
 
 def _declared(variable: Variable) -> str:
