@@ -202,7 +202,7 @@ def _overlaid(
     return [
         Picture(
             name=numbered(f"{run.variant}-{stem}", index, len(parted)),
-            caption=f"Run {one_line(run.variant)}: what changed, over what it was in {one_line(label)}.",
+            caption=f"Run {one_line(run.variant)}: what changed, drawn over {one_line(label)}.",
             alt=alt.of_runs(views, page),
             draw=partial(time_plot, views, page),
         )
