@@ -231,6 +231,16 @@ def plant(folder: Path) -> PlantModel:
     )
 
 
+def of_all_rules(found: Trace, block: Block) -> Trace:
+    """Return a trace in which every rule of a block fires all the time."""
+    labels = block.program.rule_labels
+    degrees = np.ones((len(found.ticks), len(labels)))
+    records = {
+        name: replace(record, rule_labels=labels, degrees=degrees) for name, record in found.fuzzy.items()
+    }
+    return replace(found, fuzzy=records)
+
+
 def run(folder: Path, variant: str = BASE, kind: str = "settles", **given) -> Run:
     node = FuzzyNode(
         name="controller.rules",
@@ -250,7 +260,7 @@ def run(folder: Path, variant: str = BASE, kind: str = "settles", **given) -> Ru
         variant=variant,
         title=given.get("title", ""),
         diagram=diagram,
-        trace=given.get("trace") or trace(kind),
+        trace=of_all_rules(given.get("trace") or trace(kind), node.block),
         verdicts=judged,
         verdict=worst([each.status for each in judged]),
         seconds=0.1,

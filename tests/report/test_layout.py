@@ -11,6 +11,7 @@ from fcl_sim.judge.verdict import Status
 from fcl_sim.report import results, typeset
 from fcl_sim.report.content import report_data
 from fcl_sim.report.writer import RESULTS, Shelf
+from fcl_sim.testbench import coverage
 from tests.report.synthetic import CRANE, EVIL, LONG, outcome, run, trace, verdict
 
 PPI = 36
@@ -21,7 +22,9 @@ MARGIN, SLACK = 22.0, 1.5
 def pages(outcomes, work) -> list[np.ndarray]:
     """Return the pages of a report as pictures (rows, columns) of grey from 0 to 1."""
     shelf = Shelf()
-    (work / "report.json").write_text(json.dumps(report_data(outcomes, shelf.add)), encoding="utf-8")
+    (work / "report.json").write_text(
+        json.dumps(report_data(outcomes, shelf.add, coverage(outcomes))), encoding="utf-8"
+    )
     (work / RESULTS).write_text(results.text(outcomes), encoding="utf-8")
     shelf.draw(work, lambda done, total: None)
     template = typeset.files("fcl_sim.report").joinpath("report.typ").read_bytes()
