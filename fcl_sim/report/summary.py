@@ -47,14 +47,6 @@ def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterato
         )
 
 
-def endings(outcomes: Sequence[Outcome]) -> Iterator[str]:
-    """Yield a sentence for each run that ended early: which, when, at what signal, why."""
-    for outcome in outcomes:
-        for run in outcome.variants.values():
-            if run.trace.fault is not None:
-                yield f"{outcome.scenario.name} {run.variant}: {ending(run.trace.fault)}."
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EnvelopeRow:
     """One verdict over an envelope as a table shows it.
@@ -126,6 +118,14 @@ def at_worst(verdict: EnvelopeVerdict) -> str:
     if not math.isnan(there):
         return figure(verdict.requirement, there)
     return without_figure(verdict.requirement, verdict.statuses[verdict.worst])
+
+
+def endings(outcomes: Sequence[Outcome]) -> Iterator[str]:
+    """Yield a sentence for each run that ended early: which, when, at what signal, why."""
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            if run.trace.fault is not None:
+                yield f"{outcome.scenario.name} {run.variant}: {ending(run.trace.fault)}."
 
 
 def overall(outcomes: Sequence[Outcome]) -> Status:
