@@ -25,6 +25,8 @@ NAMES = {
     "evaluation": "An evaluation",
     "conformance_tables": "Tables of conformance",
     "conformance": "Conformance of rule bases",
+    "replay": "A replay",
+    "mutants": "Mutants",
 }
 """Of the documents; what they consist of has the name that the schema gives it."""
 
@@ -65,11 +67,17 @@ def _kind(schema: dict[str, Any]) -> str:
         case {"const": _} | {"enum": _}:
             return f"`{schema['const']}`" if "const" in schema else "text"
         case {"type": "array"}:
-            return f"list of {_kind(schema['items'])}" if schema["items"] else "pair of numbers"
+            return _list(schema)
         case {"additionalProperties": dict(inner)}:
             return f"{_kind(inner)} by name"
     kinds = schema["type"] if isinstance(schema["type"], list) else [schema["type"]]
     return " or ".join(WORDS.get(each, each) for each in kinds)
+
+
+def _list(schema: dict[str, Any]) -> str:
+    if "items" not in schema:
+        return "list"
+    return f"list of {_kind(schema['items'])}" if schema["items"] else "pair of numbers"
 
 
 def _sentence(words: str) -> str:

@@ -15,7 +15,7 @@ import pytest
 from fcl_sim.scenario.bench import SCENARIOS, is_scenario
 
 UPDATE = "--update-baseline"
-MARKER = "fcl_sim(scenario, variant, requirement, baseline): what a run of a scenario is held against"
+MARKER = "fcl_sim(scenario, variant, requirement, envelope, baseline): what a run is held against"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -11,9 +11,11 @@ import pytest
 
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place
 from fcl_sim.diagnostics.render import render, render_all
+from fcl_sim.envelope.plan import POINTS
+from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.report import baselines, junit
-from fcl_sim.report.findings import of_baseline, of_verdict
+from fcl_sim.report.findings import of_baseline, of_envelope, of_verdict
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import RequirementText, Scenario
 from fcl_sim.scenario.reader import read
@@ -68,8 +70,12 @@ class RunNode(pytest.Collector):
 
     def collect(self) -> Iterator["RunItem"]:
         """Yield an item for each requirement, and one for the baseline."""
-        for text in asked_of(self.file.scenario.requirements, self.name):
+        scenario = self.file.scenario
+        for text in asked_of(scenario.requirements, self.name):
             yield RequirementItem.from_parent(self, name=text.id, text=text)
+        if scenario.variants[self.name].vary:
+            for text in asked_of(scenario.requirements, self.name, POINTS):
+                yield EnvelopeItem.from_parent(self, name=junit.over_envelope(text.id), text=text)
         yield BaselineItem.from_parent(self, name=junit.OF_BASELINE)
 
 
@@ -127,19 +133,35 @@ class RequirementItem(RunItem):
     """A requirement on a run."""
 
     def __init__(self, *, text: RequirementText, **given: Any) -> None:
-        self.line = text.span.line - 1
+        self.requirement, self.line = text.id, text.span.line - 1
         super().__init__(**given)
 
     def marked(self) -> dict[str, Any]:
         """Return its id."""
-        return {"requirement": self.name}
+        return {"requirement": self.requirement}
 
     def runtest(self) -> None:
         """Fail where the verdict is not PASS."""
-        verdict = next(each for each in self.run.verdicts if each.requirement.id == self.name)
+        verdict = next(each for each in self.run.verdicts if each.requirement.id == self.requirement)
         self.user_properties += junit.facts(verdict)
         if verdict.status is not Status.PASS:
             raise Missed(of_verdict(verdict, self.node.name, self.scenario), *_remarks(verdict))
+
+
+class EnvelopeItem(RequirementItem):
+    """A requirement over the envelope of a run."""
+
+    def marked(self) -> dict[str, Any]:
+        """Return its id, and that it is about the envelope."""
+        return {"requirement": self.requirement, "envelope": True}
+
+    def runtest(self) -> None:
+        """Fail where the verdict over all points is not PASS."""
+        found = self.run.envelope.verdicts if self.run.envelope else ()
+        verdict = next(each for each in found if each.requirement.id == self.requirement)
+        self.user_properties += junit.facts(verdict)
+        if verdict.status is not Status.PASS:
+            raise Missed(of_envelope(verdict, self.node.name, self.scenario), *_remarks(verdict))
 
 
 class BaselineItem(RunItem):
@@ -192,7 +214,7 @@ def _simulated(scenario: Scenario) -> tuple[Outcome | None, tuple[Diagnostic, ..
         return None, fault.diagnostics
 
 
-def _remarks(verdict: Verdict) -> Iterator[str]:
+def _remarks(verdict: Verdict | EnvelopeVerdict) -> Iterator[str]:
     """Yield what a reader of a failure asks next: what is required in words, and how it is measured."""
     yield f"required: {' '.join(verdict.requirement.text.split())}"
     yield f"measured: {' '.join(verdict.definition.split())}"

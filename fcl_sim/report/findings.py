@@ -5,9 +5,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from fcl_sim.diagnostics import Diagnostic, Place
-from fcl_sim.judge.verdict import Status, Verdict
+from fcl_sim.judge.envelope import EnvelopeVerdict
+from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.report import baselines
-from fcl_sim.report.words import value
+from fcl_sim.report.words import figure, value
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import Scenario
 from fcl_sim.testbench import Outcome, Run
@@ -27,11 +28,14 @@ def findings(outcomes: Sequence[Outcome]) -> Iterator[Diagnostic]:
     """Yield a finding for everything that keeps the outcomes from being green, in their order."""
     for outcome in outcomes:
         for run in outcome.variants.values():
-            if not run.verdicts and run.compared is None:
+            if not run.verdicts and run.compared is None and run.envelope is None:
                 yield nothing_asked(outcome.scenario, run.variant)
             for verdict in run.verdicts:
                 if verdict.status is not Status.PASS:
                     yield of_verdict(verdict, run.variant, outcome.scenario)
+            for over in run.envelope.verdicts if run.envelope else ():
+                if over.status is not Status.PASS:
+                    yield of_envelope(over, run.variant, outcome.scenario)
             if run.compared and run.compared.status is not Status.PASS:
                 yield of_baseline(run, outcome.scenario)
 
@@ -42,12 +46,26 @@ def of_verdict(verdict: Verdict, variant: str, scenario: Scenario) -> Diagnostic
     It stands where the requirement has its id; further places are where its
     bounds, its formula or its corridor are written.
     """
-    asked = verdict.requirement
-    label = "asked here" if verdict.value is None else f"measured {value(verdict)}"
+    told = f"is {verdict.status} in the run `{variant}`: {verdict.reason}"
+    measured = "" if verdict.value is None else value(verdict)
+    return _of_requirement(CODES[verdict.status], verdict.requirement, told, measured, scenario)
+
+
+def of_envelope(verdict: EnvelopeVerdict, variant: str, scenario: Scenario) -> Diagnostic:
+    """Return the finding of a verdict over an envelope, at the same places."""
+    told = f"is {verdict.status} over the envelope of the run `{variant}`: {verdict.reason}"
+    measured = "" if verdict.value is None else figure(verdict.requirement, verdict.value)
+    return _of_requirement(CODES[verdict.status], verdict.requirement, told, measured, scenario)
+
+
+def _of_requirement(
+    code: str, asked: Requirement, told: str, measured: str, scenario: Scenario
+) -> Diagnostic:
+    label = f"measured {measured}" if measured else "asked here"
     first = Place(span=asked.span) if asked.span else Place(file=name_of(scenario))
     return Diagnostic(
-        code=CODES[verdict.status],
-        message=f"{asked.id} is {verdict.status} in the run `{variant}`: {verdict.reason}",
+        code=code,
+        message=f"{asked.id} {told}",
         places=(first, *(Place(span=each, label=label) for each in asked.asked)),
     )
 

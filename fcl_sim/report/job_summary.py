@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from fcl_sim.diagnostics import Diagnostic, Place
 from fcl_sim.judge.verdict import Status
 from fcl_sim.report.findings import findings
-from fcl_sim.report.summary import Row, overall, rows, sentence
+from fcl_sim.report.summary import EnvelopeRow, Row, envelope_rows, overall, rows, sentence
 from fcl_sim.report.words import counted, one_line
 from fcl_sim.testbench import Outcome
 
@@ -14,6 +14,7 @@ ROOM = 500_000
 """Bytes that a table may take: GitHub drops a summary beyond 1 MiB."""
 
 COLUMNS = ("scenario", "run", "requirement", "asked", "measured", "verdict")
+OVER = ("scenario", "run", "requirement", "asked", "points that pass", "worst", "verdict")
 SIGNS = re.compile(r"([\\`*_\[\]|~#$])")
 HTML = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})
 
@@ -32,6 +33,10 @@ def text(outcomes: Sequence[Outcome], faults: Iterable[Diagnostic] = ()) -> str:
     if found:
         title = f"<summary>{counted(len(found), 'verdict')}</summary>"
         parts += ["<details>", title, _table(COLUMNS, [_cells(row) for row in found]), "</details>"]
+    over = list(envelope_rows(outcomes))
+    if over:
+        title = f"<summary>{counted(len(over), 'verdict')} over envelopes</summary>"
+        parts += ["<details>", title, _table(OVER, [_over(row) for row in over]), "</details>"]
     return "\n\n".join(parts) + "\n"
 
 
@@ -50,10 +55,31 @@ def _where(finding: Diagnostic) -> str:
 
 
 def _cells(row: Row) -> tuple[str, ...]:
-    verdict = f"{row.status} ({row.note})" if row.note else str(row.status)
-    if row.status is not Status.PASS:
-        verdict = f"{verdict} ✗"
-    return (row.scenario, row.variant, f"{row.id}: {row.text}", row.bound, row.value, verdict)
+    note = f" ({row.note})" if row.note else ""
+    return (
+        row.scenario,
+        row.variant,
+        f"{row.id}: {row.text}",
+        row.bound,
+        row.value,
+        f"{_word(row.status)}{note}",
+    )
+
+
+def _over(row: EnvelopeRow) -> tuple[str, ...]:
+    return (
+        row.scenario,
+        row.variant,
+        f"{row.id}: {row.text}",
+        row.bound,
+        row.passed,
+        row.worst,
+        _word(row.status),
+    )
+
+
+def _word(status: Status) -> str:
+    return str(status) if status is Status.PASS else f"{status} ✗"
 
 
 def _table(headings: Sequence[str], cells: Sequence[Sequence[str]]) -> str:

@@ -10,9 +10,10 @@ from xml.etree.ElementTree import Element, SubElement, indent, tostring
 from fcl_sim.diagnostics import Diagnostic, Place
 from fcl_sim.diagnostics.render import render
 from fcl_sim.judge.baseline import Comparison
+from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.report.baselines import lines as lines_of
-from fcl_sim.report.findings import name_of, nothing_asked, of_baseline, of_verdict
+from fcl_sim.report.findings import name_of, nothing_asked, of_baseline, of_envelope, of_verdict
 from fcl_sim.report.words import expectation, one_line, plain
 from fcl_sim.scenario.model import Scenario
 from fcl_sim.testbench import Outcome, Run
@@ -40,8 +41,11 @@ def text(outcomes: Sequence[Outcome], faults: Iterable[Diagnostic] = ()) -> str:
     return f'<?xml version="1.0" encoding="utf-8"?>\n{tostring(root, encoding="unicode")}\n'
 
 
-def facts(verdict: Verdict) -> Iterator[tuple[str, str]]:
-    """Yield what there is to know of a verdict besides its words: name and value, as a property has them."""
+def facts(verdict: Verdict | EnvelopeVerdict) -> Iterator[tuple[str, str]]:
+    """Yield what there is to know of a verdict besides its words: name and value, as a property has them.
+
+    Over an envelope the value is that at the worst point, or the mean.
+    """
     asked = verdict.requirement
     yield "requirement", one_line(asked.text)
     yield "verdict", str(verdict.status)
@@ -52,11 +56,20 @@ def facts(verdict: Verdict) -> Iterator[tuple[str, str]]:
     for name, number in (("value", verdict.value), ("min", asked.minimum), ("max", asked.maximum)):
         if number is not None:
             yield name, repr(float(number))
-    if verdict.violation is not None:
+    if isinstance(verdict, EnvelopeVerdict):
+        yield "points", str(verdict.points)
+        yield "passed", str(verdict.passed)
+        yield "needed", str(verdict.needed)
+    elif verdict.violation is not None:
         yield "violated_from", repr(verdict.violation[0])
         yield "violated_to", repr(verdict.violation[1])
     if asked.expect_fail:
         yield "expect", "fail"
+
+
+def over_envelope(name: str) -> str:
+    """Return what the case of a requirement over an envelope is called."""
+    return f"{name}[envelope]"
 
 
 def baseline_facts(compared: Comparison) -> Iterator[tuple[str, str]]:
@@ -77,7 +90,12 @@ def _of_run(scenario: Scenario, run: Run) -> Element:
             _fails(case, of_verdict(verdict, run.variant, scenario), str(verdict.status))
         elif verdict.requirement.expect_fail:
             SubElement(case, "system-out").text = plain(f"{expectation(verdict)}: {verdict.reason}")
-    if not run.verdicts and run.compared is None:
+    for over in run.envelope.verdicts if run.envelope else ():
+        case = _case(suite, over_envelope(over.requirement.id), scenario, run, over.requirement)
+        _properties(case, list(facts(over)))
+        if over.status is not Status.PASS:
+            _fails(case, of_envelope(over, run.variant, scenario), str(over.status))
+    if not run.verdicts and run.compared is None and run.envelope is None:
         case = _case(suite, OF_RUN, scenario, run)
         _fails(case, nothing_asked(scenario, run.variant), str(Status.UNTESTED))
     if run.compared:

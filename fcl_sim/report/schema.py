@@ -6,7 +6,7 @@ later version may add keys; `schema` rises when one changes its meaning or goes.
 
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Form, Status
-from fcl_sim.report import schema_baseline, schema_documents
+from fcl_sim.report import schema_baseline, schema_coverage, schema_documents, schema_envelope, schema_rules
 from fcl_sim.report.schema_parts import (
     Schema,
     by_name,
@@ -34,6 +34,7 @@ def json_schema() -> Schema:
         "results": _results(),
         "judged_trace": _judged_trace(),
         **schema_documents.documents(),
+        **schema_rules.documents(_made_by()),
     }
     return {
         "$schema": DIALECT,
@@ -54,6 +55,9 @@ def json_schema() -> Schema:
             "corridor": _corridor(),
             "band": _band(),
             **schema_baseline.definitions(),
+            **schema_envelope.definitions(_asked()),
+            **schema_coverage.definitions(),
+            **schema_rules.definitions(),
             **schema_documents.definitions(),
             "status": {
                 "description": "in order of gravity; only PASS is green",
@@ -69,6 +73,7 @@ def _results() -> Schema:
         **_made_by(),
         verdict=status("the gravest of all scenarios"),
         scenarios=list_of("every scenario that was run", "scenario"),
+        coverage=list_of("how far the rules were exercised, by rule base", "coverage"),
     )
 
 
@@ -143,6 +148,7 @@ def _run() -> Schema:
         events=list_of("what blocks reported, by block and event", "event"),
         requirements=list_of("the verdicts, in the order of the scenario", "verdict"),
         baseline=or_null(referring("baseline", "the run beside its baseline, where it was compared")),
+        envelope=or_null(referring("envelope", "the run over its envelope, where it has one")),
     )
 
 
@@ -184,33 +190,40 @@ def _event() -> Schema:
     )
 
 
-def _verdict() -> Schema:
-    return table(
-        "A requirement, judged",
-        id=text("id of the requirement"),
-        text=text("what is required, in words"),
-        metric=or_null({"enum": list(METRICS), "description": "the metric, where one is bounded"}),
-        signal=or_null(text("the signal, where there is one alone")),
-        signals={**texts(), "description": "the signals that it is about"},
-        formula=or_null(text("the formula, where it is one")),
-        corridor=or_null(referring("corridor", "the corridor, where it is one")),
-        arguments=by_name("arguments of the metric, in the unit of the signal or seconds", figure("")),
-        restart_at={
+def _asked() -> Schema:
+    """Return the keys that tell what a requirement asks."""
+    return {
+        "id": text("id of the requirement"),
+        "text": text("what is required, in words"),
+        "metric": or_null({"enum": list(METRICS), "description": "the metric, where one is bounded"}),
+        "signal": or_null(text("the signal, where there is one alone")),
+        "signals": {**texts(), "description": "the signals that it is about"},
+        "formula": or_null(text("the formula, where it is one")),
+        "corridor": or_null(referring("corridor", "the corridor, where it is one")),
+        "arguments": by_name("arguments of the metric, in the unit of the signal or seconds", figure("")),
+        "restart_at": {
             "type": "array",
             "items": number(""),
             "description": "times at which the metric is taken anew, in seconds",
         },
-        relative_to=or_null(
+        "relative_to": or_null(
             table(
                 "the run whose figure it is compared with",
                 variant=text("name of that run"),
                 **{"as": {"enum": [str(each) for each in Form], "description": "how"}},
             )
         ),
-        minimum=figure("lower bound, in `unit`"),
-        maximum=figure("upper bound, in `unit`"),
-        unit=text("unit of value and bounds; empty for a pure number"),
-        expect_fail={"type": "boolean", "description": "whether the run is expected to miss it"},
+        "minimum": figure("lower bound, in `unit`"),
+        "maximum": figure("upper bound, in `unit`"),
+        "unit": text("unit of value and bounds; empty for a pure number"),
+        "expect_fail": {"type": "boolean", "description": "whether the run is expected to miss it"},
+    }
+
+
+def _verdict() -> Schema:
+    return table(
+        "A requirement, judged",
+        **_asked(),
         verdict=status("after the expectation: an expected miss is a PASS"),
         measured=status("before the expectation"),
         value=figure("the figure, in `unit`; of a formula or corridor the margin"),

@@ -92,6 +92,7 @@ def test_a_file_that_cannot_be_written_is_an_input_fault(invoke, bench):
     assert "error[RUN101]" in result.stderr
 
 
+DEVIATING = "time [s],distance [m],angle [deg],power [kW]\n0,12,4,1\n1,12,4,23.9\n"
 RULES = "scenarios/crane/crane_completed.fcl"
 PRINTING = {
     "check": [("scenarios",), ("nothing.fcl",), ("mistaken.fcl",)],
@@ -103,6 +104,8 @@ PRINTING = {
     ],
     "explain": [(), ("FCL310",)],
     "judge": [("x.csv", "--with", "scenarios/crane/short.toml")],
+    "mutate": [("--rule", "1")],
+    "replay": [(RULES, "x.csv", "--absolute", "0.1"), (RULES, "deviating.csv")],
     "run": [("--no-report",)],
 }
 """The commands that print JSON, each with calls that make it print what it can."""
@@ -117,11 +120,32 @@ def test_every_command_that_prints_json_is_tried():
 def test_every_document_follows_the_schema(invoke, bench, name):
     rules = (bench / RULES).read_text("utf-8")
     (bench / "mistaken.fcl").write_text(rules.replace("IS zero", "IS zeero"))
-    if name == "judge":
+    if name in {"judge", "replay"}:
         invoke("run", "--no-report", "--trace", "x.csv")
+        (bench / "deviating.csv").write_text(DEVIATING)
     check = Draft202012Validator(json.loads(invoke("schema", "results").stdout)).validate
     for arguments in PRINTING[name]:
         check(json.loads(invoke(name, *arguments, "--json").stdout))
+
+
+def test_so_does_a_run_over_an_envelope_and_it_is_told_everywhere(invoke, bench):
+    short = bench / "scenarios" / "crane" / "short.toml"
+    vary = '\n[vary]\n"plant.start.position" = ["-25 m", "-1 m"]\n'
+    short.write_text(short.read_text().replace('max = "9 deg"', 'max = "0.9 deg"\nover = "points"') + vary)
+    result = invoke(
+        "run", "--no-report", "--json", "--junit", "j.xml", "--sarif", "s.json", "--summary", "s.md"
+    )
+    document = json.loads(result.stdout)
+    Draft202012Validator(json.loads(invoke("schema", "results").stdout)).validate(document)
+    (asked,) = document["scenarios"][0]["variants"][0]["envelope"]["requirements"]
+    assert (asked["verdict"], asked["passed"], asked["needed"]) == ("FAIL", 1, 2)
+    cases = {case.name: case for suite in JUnitXml.fromfile("j.xml") for case in suite}
+    assert not cases["S-1[envelope]"].is_passed
+    told = json.loads((bench / "s.json").read_text("utf-8"))["runs"][0]["results"][0]["message"]["text"]
+    assert told.startswith(
+        "S-1 is FAIL over the envelope of the run `base`: 1 of 2 points meet it; worst at "
+    )
+    assert "1 verdict over envelopes" in (bench / "s.md").read_text("utf-8")
 
 
 def test_so_does_a_run_that_left_its_baseline_beside_an_older_rule_base(invoke, bench):

@@ -63,6 +63,20 @@ def test_an_unexpected_pass_is_red(bench):
     result.stdout.fnmatch_lines(["*A miss was expected: the expectation no longer holds.*"])
 
 
+def test_a_requirement_over_an_envelope_is_an_item_of_its_own(bench):
+    text = (bench.folder / FILE).read_text("utf-8").replace('max    = "45 degC"', 'max    = "29 degC"')
+    bench.write(FILE, f'{text}\n[vary]\n"plant.parameters.gain" = ["0.5 K/%", "2 K/%"]\n')
+    assert bench.collected("-k", "base and envelope") == [
+        f"{FILE}::base::B-1[envelope]",
+        f"{FILE}::base::B-2[envelope]",
+    ]
+    result = bench.run("-m", "fcl_sim(variant='base', requirement='B-1')")
+    result.assert_outcomes(passed=1, failed=1, deselected=8)
+    result.stdout.fnmatch_lines(
+        ["*B-1 is FAIL over the envelope of the run `base`: 1 of 2 points meet it; worst at *"]
+    )
+
+
 def test_a_run_of_which_nothing_is_asked_still_has_its_baseline(bench):
     text = (bench.folder / FILE).read_text("utf-8")
     bench.write(FILE, text.partition("[[require]]")[0])
