@@ -38,7 +38,7 @@ lint: $(test_stamp) ## style, types and the floors of the house
 
 # The wheel is built from the source distribution, so both are proved; its
 # dependencies come from the lock, and pip checks that its own list agrees.
-smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench from it
+smoke: $(test_stamp) ## build the wheel, install it elsewhere, start a bench from it and run a scenario
 	@rm -rf build/smoke && mkdir -p build/smoke/source
 	@$(python) -m hatchling build --target sdist --directory build/smoke
 	@tar --extract --strip-components 1 --directory build/smoke/source --file build/smoke/*.tar.gz
@@ -48,7 +48,8 @@ smoke: $(test_stamp) ## build the wheel, install it elsewhere, run the bench fro
 	@build/smoke/venv/bin/python -m pip $(pip_flags) --no-deps build/smoke/*.whl
 	@build/smoke/venv/bin/python -m pip check
 	@elsewhere=$$(mktemp -d) && trap 'rm -rf "$$elsewhere"' EXIT && cd "$$elsewhere" && \
-	  $(CURDIR)/build/smoke/venv/bin/fcl-sim run >run.log && test -s reports/report.pdf && tail -n 1 run.log
+	  command=$(CURDIR)/build/smoke/venv/bin/fcl-sim && $$command new bench >run.log && cd bench && \
+	  $$command run scenarios/pi/velocity.toml >../run.log && test -s reports/report.pdf && tail -n 1 ../run.log
 
 bench: $(test_stamp) ## measure the speed, against C and other Python libraries
 	@$(python) -m benchmarks

@@ -7,7 +7,7 @@ import click
 
 from fcl_sim.cli.doors import Exit
 from fcl_sim.judge.verdict import Status, worst
-from fcl_sim.report import baselines
+from fcl_sim.report import baselines, summary
 from fcl_sim.scenario.document import shown
 from fcl_sim.testbench import Outcome
 
@@ -38,7 +38,7 @@ def exit_code(outcomes: Sequence[Outcome]) -> Exit:
     runs = [run for outcome in outcomes for run in outcome.variants.values()]
     if worst([run.verdict for run in runs]) is Status.PASS:
         return Exit.GREEN
-    verdicts = [verdict.status for run in runs for verdict in run.verdicts]
+    verdicts = [verdict.status for run in runs for verdict in summary.verdicts_of(run)]
     broke_down = any(run.trace.fault is not None for run in runs)
     compared = all(run.compared is not None for run in runs)
     met = all(each is Status.PASS for each in verdicts)

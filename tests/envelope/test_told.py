@@ -1,0 +1,85 @@
+"""Whoever reads results hears of an envelope: the terminal, JSON, JUnit, findings, the exit code."""
+
+import json
+
+import pytest
+from jsonschema import Draft202012Validator
+from junitparser import JUnitXml
+
+from fcl_sim import testbench
+from fcl_sim.cli.doors import Exit
+from fcl_sim.cli.regressions import exit_code
+from fcl_sim.report import junit, results, summary
+from fcl_sim.report.content import report_data
+from fcl_sim.report.findings import findings
+from fcl_sim.report.schema import json_schema
+
+VARY = """
+[vary]
+"plant.parameters.load_mass" = ["10 t", "40 t"]
+"plant.start.position"       = ["-60 m", "-20 m"]
+"""
+NEAR = """
+[[require]]
+id     = "E-1"
+text   = "It has not far to go"
+metric = { peak = { signal = "crane.distance" } }
+max    = "40 m"
+"""
+
+
+@pytest.fixture
+def outcome(written):
+    """Return a run whose requirement holds nominally, and at two of four points."""
+    return testbench.run(written(VARY, NEAR))
+
+
+def test_a_row_says_how_many_points_pass_and_where_the_worst_is(outcome):
+    (row,) = summary.envelope_rows([outcome])
+    assert (row.points, row.passed, str(row.status)) == (4, "2 of 4", "FAIL")
+    assert row.worst.endswith("at load_mass = 10 t, position = -60 m")
+    assert "1 envelope of 4 points, 2 verdicts: 1 FAIL, 1 PASS" in summary.sentence([outcome])
+
+
+def test_the_results_have_every_point_and_fit_their_schema(outcome):
+    made = json.loads(results.text([outcome]))
+    envelope = made["scenarios"][0]["variants"][0]["envelope"]
+    schema = json_schema()
+    Draft202012Validator({**schema["$defs"]["envelope"], "$defs": schema["$defs"]}).validate(envelope)
+    (verdict,) = envelope["requirements"]
+    assert verdict["verdicts"] == ["FAIL", "PASS", "FAIL", "PASS"]
+    assert len(verdict["values"]) == envelope["points"] == 4
+    assert verdict["worst"]["at"] == envelope_point(envelope, verdict["worst"]["point"])
+
+
+def envelope_point(envelope, index):
+    mass, start = envelope["axes"]
+    return {mass["key"]: mass["values"][index // 2], start["key"]: start["values"][index % 2]}
+
+
+def test_a_build_server_sees_an_envelope_that_is_missed(outcome):
+    (suite,) = JUnitXml.fromstring(junit.text([outcome]).encode())
+    passed = {case.name: case.is_passed for case in suite if case.name.startswith("E-1")}
+    assert passed == {"E-1": True, "E-1[envelope]": False}
+    finding = next(each for each in findings([outcome]) if "envelope" in each.message)
+    assert finding.code == "JDG402"
+    assert finding.message.startswith("E-1 is FAIL over the envelope of the run `base`: 2 of 4 points meet it")
+    assert exit_code([outcome]) is Exit.VERDICT
+
+
+def test_the_report_has_a_table_and_a_picture_of_the_points(outcome):
+    pictures = {}
+
+    def register(folder, picture):
+        pictures[picture.name] = picture
+        return f"{folder}/{picture.name}.svg"
+
+    sections = report_data([outcome], register)["scenarios"][0]["sections"]
+    section = next(each for each in sections if each["title"] == "Envelope of run base")
+    assert section["text"].startswith("Run base at 4 points, every combination of load_mass = 10 t and 40 t;")
+    assert [(row["id"], row["passed"], row["status"]) for row in section["rows"]] == [
+        ("E-1", "2 of 4", "FAIL")
+    ]
+    assert "2 of 4, FAIL. Worst:" in pictures["base-envelope"].alt
+    pictures["base-envelope"].draw()
+    assert "base-envelope-worst-1" in pictures
