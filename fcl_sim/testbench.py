@@ -41,7 +41,7 @@ from fcl_sim.scenario.requirements import Units
 from fcl_sim.verify.cause import Cause, cause_of, with_rule_bases
 from fcl_sim.verify.cover import LEAST, Visit, cover
 from fcl_sim.verify.coverage import Coverage, Item, merged, waived
-from fcl_sim.verify.record import Acceptance, record
+from fcl_sim.verify.record import Acceptance, record, unfit
 from fcl_sim.verify.subject import of_node
 from fcl_sim.verify.waivers import Waiver, waivers_of
 
@@ -58,6 +58,7 @@ __all__ = [
     "bench_of",
     "coverage",
     "judge_trace",
+    "new_baseline",
     "open_loop",
     "prepare",
     "run",
@@ -152,7 +153,7 @@ class Prepared:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Update:
-    """A baseline that was written: where, what it was before, and what it is now."""
+    """The baseline of a run: its file, what it was before, and what it is now."""
 
     path: Path
     before: Baseline | None
@@ -332,7 +333,14 @@ def _judged(prepared: Prepared, trace: Trace, seconds: float, runs: Mapping[str,
 
 
 def update_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -> Update:
-    """Write the baseline of a run as it came out, and return it beside the former one.
+    """Write the baseline of a run as it came out, and return it beside the former one; see `new_baseline`."""
+    made = new_baseline(outcome, variant, reason=reason, date=date)
+    baseline_file.write(made.after, made.path)
+    return made
+
+
+def new_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -> Update:
+    """Return the baseline of a run as it came out beside the former one; nothing is written.
 
     `date` is the day, as 2026-01-31. Tolerances of the former baseline are
     kept. InputFault where the scenario was run with overrides, where the run
@@ -349,9 +357,7 @@ def update_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -
         signals=reference_signals(scenario, variant, run.trace.units),
         former=before,
     )
-    path = baseline_file.path_of(scenario.path, variant)
-    baseline_file.write(after, path)
-    return Update(path=path, before=before, after=after)
+    return Update(path=baseline_file.path_of(scenario.path, variant), before=before, after=after)
 
 
 def _acceptable(scenario: Scenario, run: Run) -> None:
@@ -360,10 +366,9 @@ def _acceptable(scenario: Scenario, run: Run) -> None:
     if scenario.overrides:
         hint = "write what differs as a variant, which has a baseline of its own"
         raise InputFault.at_file("RUN108", file, f"{name} has overrides, and a baseline is of none", hint)
-    fault = run.trace.fault
-    if fault is not None:
-        message = f"{name} ended at {fault.tick / 1e9:g} s: {fault.reason}"
-        raise InputFault.at_file("RUN108", file, message, "a run that broke down is no reference: mend it")
+    told = unfit(run.trace, reference_signals(scenario, run.variant, run.trace.units) or run.trace.names)
+    if told:
+        raise InputFault.at_file("RUN108", file, f"{name}: {told}", "mend the run before it is accepted")
 
 
 def coverage(outcomes: Iterable[Outcome], least: float = LEAST) -> tuple[Coverage, ...]:

@@ -70,12 +70,13 @@ def update(*, paths: tuple[Path, ...], reason: str, variants: tuple[str, ...], d
     _not_shipped(files)
     outcomes = _each(files, variants, testbench.run_scenario)
     updates = [
-        (outcome, testbench.update_baseline(outcome, name, reason=reason, date=day))
+        (outcome, testbench.new_baseline(outcome, name, reason=reason, date=day))
         for outcome in outcomes
         for name in outcome.variants
         if name in (variants or outcome.variants)
     ]
     for outcome, made in updates:
+        baseline_file.write(made.after, made.path)
         for line in _told(outcome, made):
             click.echo(line)
     click.echo(f"{counted(len(updates), 'baseline')} written.")

@@ -51,7 +51,8 @@ def kept(baseline: Baseline) -> str:
 
 def metric_line(change: MetricChange) -> str:
     """Return a figure that changed, with its reference: `25.4 s → 27.1 s (+1.7 s, allowed ±0.08 s)`."""
-    name = one_line(f"{change.id}, {change.about}")
+    about = one_line(change.about)
+    name = f"{one_line(change.id)}, {about if len(about) <= LONGEST else about[: LONGEST - 1] + ELLIPSIS}"
     if change.new is None:
         return f"{name}: it was {told(change.old, change.unit)}, and is not asked any more"
     if change.old is None:
@@ -63,6 +64,9 @@ def metric_line(change: MetricChange) -> str:
     sign = "+" if change.change > 0 else ""
     return f"{text} ({sign}{moved}, allowed ±{allowed})"
 
+
+LONGEST, ELLIPSIS = 60, "\N{HORIZONTAL ELLIPSIS}"
+"""Characters of what is measured; the whole formula stands in the baseline."""
 
 MOST_EDITS, MOST_SIGNALS = 6, 2
 """Edits or changed rules, and signals, that are told; of more, how many there are."""

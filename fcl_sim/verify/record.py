@@ -1,9 +1,8 @@
 """A run → the baseline that it leaves: figures, thinned signals, rule bases, each with its tolerances."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.oscillation import half_waves
 from fcl_sim.judge.thin import thin
 from fcl_sim.judge.verdict import Requirement, Verdict
-from fcl_sim.loop.diagram import Diagram, FuzzyNode
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Wire
 from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.units import parse_unit
 from fcl_sim.verify.setting import setting_of
@@ -31,7 +30,8 @@ SWINGS, LASTING, LARGE = 4, 0.9, 0.25
 END = 2.0 / 3.0
 """Part of a run after which a swing is one at its end."""
 
-NOTHING: Mapping[str, SignalReference] = MappingProxyType({})
+MOST_SAMPLES = 500
+"""Samples of a line beyond which it follows noise, and nobody reads it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,17 +55,22 @@ def record(
 ) -> Baseline:
     """Return the baseline of a run that ended without a fault.
 
-    `signals` are those that are kept; without them the outputs and inputs of
-    the plant, or none where one of its outputs still swings at the end: the
-    phase of a limit cycle is nothing to hold a run against. Tolerances of
-    `former` are kept.
+    `signals` are those that are kept; without them the outputs of the plant and
+    the inputs that a rule base moves, but for those that noise moves: they need
+    more than `MOST_SAMPLES`. Where an output still swings at the end, none is
+    kept: the phase of a limit cycle is nothing to hold a run against.
+    Tolerances of `former` are kept.
     """
-    left_out = ""
+    chosen = signals is not None
+    left_out = "" if chosen else limit_cycle(diagram, trace)
     if signals is None:
-        left_out = limit_cycle(diagram, trace)
-        signals = () if left_out else [name for name in diagram.plant.signals if name in trace]
+        signals = () if left_out else usual_signals(diagram)
     metrics = {} if former is None else {each.id: each for each in former.metrics}
     kept = {} if former is None else {each.name: each for each in former.signals}
+    lines = [_signal(trace, name, diagram.timing.scan, kept.get(name)) for name in signals]
+    noisy = [] if chosen else [each for each in lines if each.ticks.size > MOST_SAMPLES]
+    if noisy:
+        left_out = f"noise moves {', '.join(each.name for each in noisy)}: figures tell of them"
     return Baseline(
         scenario=accepted.scenario,
         variant=accepted.variant,
@@ -75,7 +80,7 @@ def record(
         metrics=tuple(
             _metric(trace, each, diagram.timing.scan, metrics.get(each.requirement.id)) for each in verdicts
         ),
-        signals=tuple(_signal(trace, name, diagram.timing.scan, kept.get(name)) for name in signals),
+        signals=tuple(each for each in lines if each not in noisy),
         left_out=left_out,
         rule_bases=tuple(
             RuleBaseReference(block=each.name, arithmetic=each.arithmetic, text=canonical(each))
@@ -83,6 +88,39 @@ def record(
             if isinstance(each, FuzzyNode)
         ),
     )
+
+
+def usual_signals(diagram: Diagram) -> list[str]:
+    """Return the outputs of the plant, and its inputs that a fuzzy block moves."""
+    plant = diagram.plant
+    outputs = [f"{plant.name}.{each.name}" for each in plant.model.declaration.outputs]
+    return outputs + [f"{plant.name}.{name}" for name, wire in plant.inputs.items() if _moved(diagram, wire)]
+
+
+def _moved(diagram: Diagram, wire: Wire) -> bool:
+    """Return whether a fuzzy block stands upstream of a wire, the plant not passed through."""
+    waiting, seen = [wire.source], set[str]()
+    while waiting:
+        name = waiting.pop()
+        if name in seen:
+            continue
+        seen.add(name)
+        if name in diagram.aliases:
+            waiting.append(diagram.aliases[name].source)
+        for node in diagram.nodes:
+            if name == node.name or name.startswith(f"{node.name}."):
+                if isinstance(node, FuzzyNode):
+                    return True
+                waiting += [each.source for each in node.inputs.values()]
+    return False
+
+
+def unfit(trace: Trace, signals: Sequence[str]) -> str:
+    """Return why a run is nothing to hold others against: it broke down, or a signal is not finite."""
+    if trace.fault is not None:
+        return f"it ended at {trace.fault.tick / 1e9:g} s: {trace.fault.signal} {trace.fault.reason}"
+    broken = [name for name in signals if not np.isfinite(trace[name]).all()]
+    return f"{broken[0]} is not a finite number throughout" if broken else ""
 
 
 def canonical(node: FuzzyNode) -> str:
@@ -139,7 +177,8 @@ def _metric(trace: Trace, verdict: Verdict, scan: int, former: MetricReference |
 
 def _step(trace: Trace, asked: Requirement, scan: float) -> float:
     """Return by how much a figure may change in its own nature: a time by a scan, a part by a thousandth."""
-    spans = [_span(trace[each]) for each in asked.signals if trace.units[each] == asked.unit]
+    signals = [each for each in asked.signals if each in trace.units]  # a formula names parameters, too
+    spans = [_span(trace[each]) for each in signals if trace.units[each] == asked.unit]
     metric = METRICS.get(asked.metric)
     if metric is None:
         return even(OF_SPAN * max(spans, default=0.0))
