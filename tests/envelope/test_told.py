@@ -63,7 +63,8 @@ def test_a_build_server_sees_an_envelope_that_is_missed(outcome):
     assert passed == {"E-1": True, "E-1[envelope]": False}
     finding = next(each for each in findings([outcome]) if "envelope" in each.message)
     assert finding.code == "JDG402"
-    assert finding.message.startswith("E-1 is FAIL over the envelope of the run `base`: 2 of 4 points meet it")
+    told = "E-1 is FAIL over the envelope of the run `base`: 2 of 4 points meet it"
+    assert finding.message.startswith(told)
     assert exit_code([outcome]) is Exit.VERDICT
 
 
