@@ -15,12 +15,13 @@ def lines(text):
 def test_the_bench_of_the_current_folder_is_run_and_its_reports_written(invoke, bench):
     result = invoke("run")
     assert (result.exit_code, result.stderr) == (0, "")
-    *table, kept, written, seconds = lines(result.stdout)
+    *table, kept, covered, written, seconds = lines(result.stdout)
     assert table[0].split() == ["scenario", "variant", "requirement", "asked", "measured", "verdict"]
     assert table[1].split()[:7] == ["crane/short", "base", "S-1", "at", "most", "9", "deg"]
     assert table[1].endswith("deg  PASS")
     assert table[2] == "1 scenario, 1 run, 1 verdict: 1 PASS."
     assert kept == "Baselines of 1 run: 1 PASS."
+    assert covered.startswith("Of 25 rules ")
     assert written == "written: reports/report.pdf"
     assert seconds.startswith("simulation ")
     assert (bench / "reports" / "report.pdf").read_bytes().startswith(b"%PDF-")
