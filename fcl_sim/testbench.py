@@ -244,7 +244,8 @@ def prepare(scenario: Scenario, *, is_compared: bool = True) -> tuple[Prepared, 
     for variant in scenario.variants:
         try:
             found = _prepare(scenario, variant, load_once)
-            prepared.append(_with_baseline(scenario, found) if is_compared else found)
+            kept = baseline_file.read(scenario.path, variant) if is_compared else None
+            prepared.append(replace(found, baseline=kept, is_compared=is_compared))
         except InputFault as fault:
             faults.update(dict.fromkeys(fault.diagnostics))
     if faults:
@@ -265,11 +266,6 @@ def _prepare(scenario: Scenario, variant: str, load_block: LoadBlock) -> Prepare
         references=reference_signals(scenario, variant, units.signals),
         envelope=plan(scenario, setup, load_block) if setup.vary else None,
     )
-
-
-def _with_baseline(scenario: Scenario, prepared: Prepared) -> Prepared:
-    found = baseline_file.read(scenario.path, prepared.variant)
-    return replace(prepared, baseline=found, is_compared=True)
 
 
 def judge_trace(trace: Trace, scenario: Scenario, variant: str = BASE) -> tuple[Verdict, ...]:
@@ -300,8 +296,8 @@ def _with_envelope(run: Run, planned: Plan | None, workers: int | None) -> Run:
     if planned is None:
         return run
     envelope = execute(planned, workers)
-    found = [*(each.status for each in run.verdicts), *(each.status for each in envelope.verdicts)]
-    return replace(run, envelope=envelope, verdict=worst(found))
+    judged = (*run.verdicts, *envelope.verdicts, *((run.compared,) if run.compared else ()))
+    return replace(run, envelope=envelope, verdict=worst([each.status for each in judged]))
 
 
 def _simulated(prepared: Prepared) -> tuple[Trace, float]:
@@ -333,7 +329,7 @@ def _judged(prepared: Prepared, trace: Trace, seconds: float, runs: Mapping[str,
 
 
 def update_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -> Update:
-    """Write the baseline of a run as it came out, and return it beside the former one; see `new_baseline`."""
+    """Write what `new_baseline` returns."""
     made = new_baseline(outcome, variant, reason=reason, date=date)
     baseline_file.write(made.after, made.path)
     return made
@@ -348,6 +344,7 @@ def new_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -> U
     """
     scenario, run = outcome.scenario, outcome.variants[variant]
     _acceptable(scenario, run)
+    path = baseline_file.path_of(scenario.path, variant)
     before = baseline_file.read(scenario.path, variant)
     after = record(
         Acceptance(scenario=scenario.name, variant=variant, date=date, reason=reason),
@@ -357,16 +354,16 @@ def new_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -> U
         signals=reference_signals(scenario, variant, run.trace.units),
         former=before,
     )
-    return Update(path=baseline_file.path_of(scenario.path, variant), before=before, after=after)
+    return Update(path=path, before=before, after=after)
 
 
 def _acceptable(scenario: Scenario, run: Run) -> None:
     """Raise InputFault where a run is nothing to hold others against."""
     file, name = str(scenario.path), f"the run `{run.variant}`"
+    told = unfit(run.trace, reference_signals(scenario, run.variant, run.trace.units) or run.trace.names)
     if scenario.overrides:
         hint = "write what differs as a variant, which has a baseline of its own"
         raise InputFault.at_file("RUN108", file, f"{name} has overrides, and a baseline is of none", hint)
-    told = unfit(run.trace, reference_signals(scenario, run.variant, run.trace.units) or run.trace.names)
     if told:
         raise InputFault.at_file("RUN108", file, f"{name}: {told}", "mend the run before it is accepted")
 

@@ -191,7 +191,7 @@ class BaselineTable(Table):
 
     signals: list[WireText] | None = Field(
         None,
-        description="reference signals, none for a limit cycle; else the outputs that a rule base moves",
+        description="reference signals, none for a limit cycle; else outputs and moved inputs of the plant",
     )
 
 

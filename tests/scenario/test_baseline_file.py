@@ -172,3 +172,12 @@ def test_a_write_that_the_system_refuses_leaves_the_former_file(bench, monkeypat
         accept(bench)
     assert baselines_of(bench) == before
     assert not list((bench.folder / "scenarios/crane/baselines").glob(".*"))
+
+
+def test_a_run_with_an_envelope_is_held_to_its_baseline_too(bench):
+    """The envelope is judged besides, not instead."""
+    (bench.folder / "scenarios/crane/baselines/precise.base.toml").unlink()
+    found = run("scenarios/crane/precise.toml").base
+    assert found.envelope is not None
+    assert {str(each.status) for each in (*found.verdicts, *found.envelope.verdicts)} == {"PASS"}
+    assert str(found.verdict) == "NO BASELINE"
