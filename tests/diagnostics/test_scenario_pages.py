@@ -96,10 +96,11 @@ def codes(tmp_path, monkeypatch):
         (folder / "crane.controller.toml").write_text(texts["controller"], "utf-8")
         (folder / "example.toml").write_text(texts["scenario"], "utf-8")
         try:
-            scenario = read(Path("scenarios/crane/example.toml"))
-            if run:
-                return {each.code for each in findings([run_scenario(scenario)])}
-            prepare(scenario)
+            file = Path("scenarios/crane/example.toml")
+            if run:  # a run with overrides is of no baseline, and of these there is none
+                overridden = read(file, {"title": "An example"})
+                return {each.code for each in findings([run_scenario(overridden)])}
+            prepare(read(file))
         except InputFault as fault:
             return {each.code for each in fault.diagnostics}
         return set()
