@@ -136,6 +136,9 @@ def further_with(families: frozenset[int]) -> Entry:
         elif has_devices and family == 10:
             devices.execute(code, row)
 
+    # Two that were compiled by two processes may have one symbol: numba makes it of the qualified name and
+    # a count within the process. Loaded from the cache into one process, one would be taken for the other.
+    execute_further.__qualname__ += "".join(f"_{number}" for number in sorted(families))
     return Entry(execute_further, signature(*_FURTHER), flat=True)
 
 

@@ -25,6 +25,7 @@ from fcl_sim.loop.diagram import Diagram, Node
 from fcl_sim.loop.run import run
 from fcl_sim.loop.trace import Trace
 from fcl_sim.plant.catalog import shipped_bench
+from fcl_sim.scenario.bench import scenarios_below
 from fcl_sim.scenario.reader import read
 from fcl_sim.testbench import prepare
 from tests.loop.block_bench import diagram
@@ -38,10 +39,9 @@ SECONDS = "2 s"
 def traces(folder: Path) -> Iterator[tuple[str, Trace]]:
     """Yield the trace of each variant of each shipped scenario, shortened, and of every block."""
     yield "every block", run(every_block(folder))
-    for path in sorted((shipped_bench() / "scenarios").rglob("*.toml")):
-        if not path.name.endswith(".controller.toml"):
-            for each in prepare(read(path, {"duration": SECONDS})):
-                yield f"{path.stem}/{each.variant}", run(each.diagram)
+    for path in scenarios_below(shipped_bench()):
+        for each in prepare(read(path, {"duration": SECONDS, "vary": False})):
+            yield f"{path.stem}/{each.variant}", run(each.diagram)
 
 
 def every_block(folder: Path) -> Diagram:

@@ -88,6 +88,14 @@ def test_a_tape_has_compiled_what_its_families_need():
     assert dispatch.further_for(opcodes[:1]) is dispatch.further_with(frozenset())
 
 
+def test_no_two_sets_of_families_are_compiled_under_one_name():
+    """Their symbols are made of it, and two from the cache may have been compiled by different processes."""
+    families = range(dispatch.FIRST_FAMILY, dispatch.FIRST_FAMILY + dispatch.FAMILIES)
+    sets = [frozenset(), *(frozenset({a, b}) for a in families for b in families)]
+    names = {dispatch.further_with(each).function.__qualname__ for each in sets}
+    assert len(names) == len(set(sets))
+
+
 def test_every_declaration_is_sound():
     for name, block in BLOCKS.items():
         keys = [each.name for each in (*block.inputs, *block.parameters)]

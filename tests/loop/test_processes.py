@@ -143,7 +143,7 @@ def outputs(t, x, u, p, mode, y):
     y[0] = x[1]
     y[1] = x[3 + CELLS - 1]
 
-def sample(t, x, p):
+def sample(t, x, u, p):
     while x[0] >= p[0] / CELLS:
         x[0] -= p[0] / CELLS
         for i in range(3 + CELLS - 1, 3, -1):
