@@ -154,7 +154,8 @@ def test_a_requirement_over_the_nominal_run_or_the_points_alone_is_asked_there_a
     assert (len(nominal.verdicts), len(nominal.envelope.verdicts)) == (1, 0)
     points = testbench.run(written(GRID, LIMIT.format(more='over = "points"'))).base
     assert (len(points.verdicts), len(points.envelope.verdicts)) == (0, 1)
-    assert points.verdict is Status.PASS
+    assert points.envelope.verdict is Status.PASS
+    assert points.verdict is Status.NO_BASELINE  # of a run that nobody has accepted yet
 
 
 def test_a_mean_is_judged_over_all_points_and_its_bound_at_none_of_them(written):
