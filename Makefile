@@ -27,7 +27,8 @@ help: ## this list
 run: $(run_stamp) ## set up, run the shipped bench, write reports/
 	@$(python) -m fcl_sim run
 
-test: lint smoke ## set up, check the style, install the wheel, run all tests
+test: $(test_stamp) ## set up, check the style, install the wheel, run all tests
+	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target lint smoke
 	@$(python) -m pytest -n $(WORKERS)
 
 lint: $(test_stamp) ## style, types and the floors of the house
