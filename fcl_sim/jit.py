@@ -24,7 +24,9 @@ from typing import Any, TypeVar, cast
 
 import numba
 import numpy as np
-from numba.core import caching, errors, ir, types
+from llvmlite import ir as llvm
+from numba import extending
+from numba.core import caching, cgutils, errors, ir, types
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import AnalysisPass, FunctionPass, register_pass
 from numba.core.registry import CPUDispatcher
@@ -95,6 +97,32 @@ def links_type(**functions: Any) -> Any:
     """
     return LinksType(tuple(functions.items()))
 
+
+def _clear_eight(typing: Any, memory: Any, at: Any) -> Any:  # noqa: ARG001  numba's signature
+    """Type and generate `clear_eight`."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        kind = signature.args[0]
+        buffer = cgutils.create_struct_proxy(kind)(context, builder, value=arguments[0])
+        four = llvm.VectorType(context.get_value_type(kind.dtype), 4)
+        first = builder.gep(buffer.data, [arguments[1]])
+        halves = builder.bitcast(first, four.as_pointer())
+        for half in range(2):
+            place = builder.gep(halves, [llvm.Constant(llvm.IntType(64), half)])
+            builder.store(llvm.Constant(four, None), place, align=4)
+        return context.get_dummy_value()
+
+    return types.void(memory, types.uint64), generate
+
+
+def _clear_eight_uncompiled(memory: Any, at: int) -> None:
+    memory[at : at + 8] = 0.0
+
+
+clear_eight: Callable[[Any, Any], None] = (
+    extending.intrinsic(_clear_eight) if compiled() else _clear_eight_uncompiled
+)
+"""In a kernel: set eight numbers of a buffer to 0, from an unsigned index on, by one store."""
 
 new_links: Callable[[Any], Any] = (lambda _: SimpleNamespace()) if numba.config.DISABLE_JIT else structref.new
 """In a kernel: make an object of a `links_type`, whose attributes are still to be set."""

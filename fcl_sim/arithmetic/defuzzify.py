@@ -28,15 +28,15 @@ def moments_of_singletons(
     """
     moment = 0.0
     total = 0.0
-    for index in range(0, count, 2):
+    end = place + count
+    while place < end:
         both, degree_of_both = moments_of_two(
-            places[u(place + index)],
-            degrees[u(degree + index)],
-            places[u(place + index + 1)],
-            degrees[u(degree + index + 1)],
+            places[u(place)], degrees[u(degree)], places[u(place + 1)], degrees[u(degree + 1)]
         )
         moment += both
         total += degree_of_both
+        place += 2
+        degree += 2
     return moment, total
 
 

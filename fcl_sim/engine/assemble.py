@@ -39,16 +39,13 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
     buffers = Buffers()
     stack = 2 * max((depth(code.tokens) for code in codes), default=0)
     outputs = put_outputs(buffers, block, own, own.stack + stack)
-    summary = summary_words(own.words)
-    clear = own.degrees if summary == 0 else own.degrees + own.rules
-    cleared = -(-(own.clamps + 1 - clear) // 4) * 4
     header = {
         p.RULES: len(codes),
         p.WORDS: own.words,
-        p.SUMMARY: summary,
+        p.SUMMARY: summary_words(own.words),
         p.ALL: buffers.put(words_of(every(codes), own.words)),
         p.GRIDS: len(own.functions),
-        p.GRID: _grids(buffers, own, codes),
+        p.GRID: _grids(buffers, own, codes, precision),
         p.BROUGHT: len(own.brought),
         p.BRING: buffers.put(word for name in own.brought for word in _brought(own, name)),
         p.MOVED: len(own.moved),
@@ -57,18 +54,19 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
         p.OUTPUTS: len(block.outputs),
         p.OUTPUT: outputs.at,
         p.DEGREES: own.degrees,
-        p.CLEAR: clear,
-        p.CLEARED: cleared,
+        p.CLEAR: own.clear,
+        p.CLEARED: own.cells,
         p.CLAMPS: own.clamps,
         p.VISITED: own.visited,
         p.ROWS: own.rows,
         p.STACK: own.stack,
+        p.MORE: int(own.words > 1 or bool(own.brought) or bool(own.moved)),
     }
     for word, value in header.items():
         buffers.ints[word] = value
     buffers.ints[p.TOGETHER] = together(buffers.ints)
     buffers.floats[p.LIMIT], buffers.floats[p.TIE] = precision.limit, precision.tie
-    initial = _initial(block, max(outputs.size, clear + cleared))
+    initial = _initial(block, max(outputs.size, own.stack))
     with np.errstate(over="ignore"):
         floats = np.array(buffers.floats).astype(precision.dtype)
     flat = np.isinf(floats) & np.isfinite(buffers.floats)
@@ -87,10 +85,10 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
     )
 
 
-def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code]) -> int:
+def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code], precision: Precision) -> int:
     """Append the tables of every fuzzified input; return where their records begin."""
     records = []
-    for variable, functions in own.functions.items():
+    for number, (variable, functions) in enumerate(own.functions.items()):
         slots = [slot for slot, _ in functions]
         grid = merge([function for _, function in functions])
         active = [_active(cell, slots) for cell in grid.cells]
@@ -101,10 +99,11 @@ def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code]) -> int:
         rows = [
             word
             for each, rules in zip(filled, sets, strict=True)
-            for word in (*(slot for slot, *_ in each), *words_of(rules, own.words))
+            for word in _row([slot for slot, *_ in each], rules, own.words)
         ]
         segments = [number for each in filled for _, *segment in each for number in segment]
         knots = _knots(grid)
+        mask = own.rows + number if own.words > 1 else 0
         records += [
             own.inputs[variable],
             len(knots),
@@ -112,8 +111,31 @@ def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code]) -> int:
             width,
             buffers.put(rows),
             buffers.put_floats(segments),
+            len(rows) // len(filled),
+            width * p.SEGMENT_SIZE,
+            mask,
+            buffers.put_floats(_edges(grid, precision)),
+            own.cells + number,
+            int(width > 2 or mask != 0),
         ]
     return buffers.put(records)
+
+
+def _edges(grid: Grid, precision: Precision) -> list[float]:
+    """Return the least and the greatest number of each cell; of an empty one, the wrong way round."""
+    knots = np.array([-inf, *(float(knot) for knot in grid.knots), inf], precision.dtype)
+    after, before = np.nextafter(knots, precision.dtype(inf)), np.nextafter(knots, precision.dtype(-inf))
+    after[0], before[-1] = -inf, inf
+    edges = [-inf, float(before[1])]
+    for knot in range(1, len(knots) - 1):
+        edges += [float(knots[knot])] * 2 + [float(after[knot]), float(before[knot + 1])]
+    return edges
+
+
+def _row(slots: Sequence[int], rules: int, words: int) -> list[int]:
+    """Return the row of a cell (program.py, GRID_ROWS)."""
+    mask = words_of(rules, words)
+    return [mask[0], *slots, *(mask if words > 1 else [])]
 
 
 def _knots(grid: Grid) -> list[float]:

@@ -32,6 +32,8 @@ from fcl_sim.engine.program import (
     GRID_COUNT,
     GRID_INPUT,
     GRID_KNOTS,
+    GRID_PIECES,
+    GRID_ROW_SIZE,
     GRID_ROWS,
     GRID_SEGMENTS,
     GRID_SIZE,
@@ -54,12 +56,10 @@ from fcl_sim.engine.program import (
     RULE_THEN,
     RULES,
     SEGMENT_SIZE,
-    SUMMARY,
     THEN_DEGREE,
     THEN_SIZE,
     THEN_SUM,
     THEN_WEIGHT,
-    WORDS,
 )
 from fcl_sim.jit import flat, u
 
@@ -86,7 +86,6 @@ def fuzzify_rows(
 ) -> None:
     """Write the degrees of all input terms into cleared rows; `cells` is a row of integers to work in."""
     origin = ints[u(FLOATS)]
-    words = ints[u(WORDS)] + ints[u(SUMMARY)]
     grid = ints[u(GRID)]
     for _ in range(ints[u(GRIDS)]):
         given = ints[u(grid + GRID_INPUT)] * size + row
@@ -94,11 +93,12 @@ def fuzzify_rows(
         for point in range(count):
             cells[u(point)] = cell_of_many(points[u(given + point)], floats, knots, knot_count)
         most = ints[u(grid + GRID_WIDTH)]
-        slots, segments = ints[u(grid + GRID_ROWS)], origin + ints[u(grid + GRID_SEGMENTS)]
+        slots, segments = ints[u(grid + GRID_ROWS)] + 1, origin + ints[u(grid + GRID_SEGMENTS)]
+        row_size, pieces = ints[u(grid + GRID_ROW_SIZE)], ints[u(grid + GRID_PIECES)]
         for point in range(count):
             x = points[u(given + point)]
-            slot = slots + cells[u(point)] * (most + words)
-            segment = segments + cells[u(point)] * (most * SEGMENT_SIZE)
+            slot = slots + cells[u(point)] * row_size
+            segment = segments + cells[u(point)] * pieces
             for place in range(most):
                 degree = degree_on(x, floats, segment + place * SEGMENT_SIZE)
                 rows[u(ints[u(slot + place)] * width + point)] = degree

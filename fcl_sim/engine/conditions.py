@@ -193,29 +193,29 @@ def _dual(norm: Norm) -> Norm:
 
 
 T_NORMS: dict[int, Norm] = {
-    p.AND_HPROD: lambda a, b: a * b / (a + b - a * b) if a + b else Fraction(0),
+    p.AND_HPROD: lambda a, b: a * b / (a + b - a * b) if a + b else 0 * a,
     p.AND_EPROD: lambda a, b: a * b / (2 - a - b + a * b),
-    p.AND_DPROD: lambda a, b: min(a, b) if max(a, b) == 1 else Fraction(0),
-    p.AND_NMIN: lambda a, b: min(a, b) if a + b > 1 else Fraction(0),
+    p.AND_DPROD: lambda a, b: min(a, b) if max(a, b) == 1 else 0 * a,
+    p.AND_NMIN: lambda a, b: min(a, b) if a + b > 1 else 0 * a,
 }
 """Those of the Open Level."""
 
 OPERATORS: dict[int, Callable[[Fraction, Fraction], Fraction]] = {
     p.AND_MIN: min,
     p.AND_PROD: lambda a, b: a * b,
-    p.AND_BDIF: lambda a, b: max(Fraction(0), a + b - 1),
+    p.AND_BDIF: lambda a, b: max(0 * a, a + b - 1),
     p.OR_MAX: max,
     p.OR_ASUM: lambda a, b: a + b - a * b,
-    p.OR_BSUM: lambda a, b: min(Fraction(1), a + b),
+    p.OR_BSUM: lambda a, b: min(1 + 0 * a, a + b),
     **T_NORMS,
     **{p.OR_MAX - p.AND_MIN + code: _dual(norm) for code, norm in T_NORMS.items()},
 }
-"""The operators on exact bounds, by their code."""
+"""The operators on bounds, by their code; of fractions they give fractions, of floats floats."""
 
 
 def _positive(low: Fraction, high: Fraction) -> Bounds:
     """Return bounds after a hedge that leaves 0 and 1, and nothing else, where they are."""
-    return Fraction(int(low == 1)), Fraction(int(high > 0))
+    return 0 * low + int(low == 1), 0 * high + int(high > 0)
 
 
 UNARY: dict[int, Callable[[Fraction, Fraction], Bounds]] = {

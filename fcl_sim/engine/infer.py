@@ -31,13 +31,20 @@ from fcl_sim.engine.program import (
     CLAMPS,
     CLEAR,
     CLEARED,
+    CLEARED_TOGETHER,
     DE_BRUIJN,
     DEGREES,
     FLOATS,
     GRID,
+    GRID_CELL,
     GRID_COUNT,
+    GRID_EDGES,
     GRID_INPUT,
     GRID_KNOTS,
+    GRID_MASK,
+    GRID_MORE,
+    GRID_PIECES,
+    GRID_ROW_SIZE,
     GRID_ROWS,
     GRID_SEGMENTS,
     GRID_SIZE,
@@ -45,9 +52,8 @@ from fcl_sim.engine.program import (
     GRIDS,
     GROUP_BSUM,
     GROUP_NSUM,
-    LIMIT,
     MASK_BITS,
-    MOVED,
+    MORE,
     OUT_ACTIVE,
     OUT_DEGREES,
     OUT_GROUPS,
@@ -77,29 +83,23 @@ from fcl_sim.engine.program import (
     WORDS,
 )
 from fcl_sim.engine.settle import settle
-from fcl_sim.jit import flat, inlined, u
+from fcl_sim.jit import clear_eight, flat, inlined, u
 
 Ints = NDArray[int64]
 Floats = NDArray[float64]
 
 
 @inlined
-def clear(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
+def clear(ints: Ints, at: int, memory: Floats, base: int) -> None:
     """Set all degrees to 0.
 
-    The 0 is a difference, not a constant, of which the compiler would make a
-    call of memset: for a few dozen words that takes longer than the stores.
+    Of a plain loop the compiler makes a call of memset, or one that prepares
+    for a long way: for a few dozen words both take longer than the stores.
     """
-    if ints[u(at + SUMMARY)] > 0:
-        clear_visited(ints, at, memory, base)
-    limit = floats[u(ints[u(at + FLOATS)] + LIMIT)]
-    zero = limit - limit
-    start = base + ints[u(at + CLEAR)]
-    for word in range(start, start + ints[u(at + CLEARED)], 4):
-        memory[u(word)] = zero
-        memory[u(word + 1)] = zero
-        memory[u(word + 2)] = zero
-        memory[u(word + 3)] = zero
+    word = base + ints[u(at + CLEAR)]
+    while word < base + ints[u(at + CLEARED)]:
+        clear_eight(memory, u(word))
+        word += CLEARED_TOGETHER
 
 
 @flat
@@ -116,28 +116,51 @@ def clear_visited(ints: Ints, at: int, memory: Floats, base: int) -> None:
 
 @inlined
 def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> int:
-    """Write the degrees of all input terms; return the mask of rules that can fire, if it is one word."""
+    """Write the degrees of all input terms; return the mask of rules that can fire, if it is one word.
+
+    A variable is seldom in another cell than at the last evaluation: a
+    processor goes on with that one while it still compares.
+    """
     origin = ints[u(at + FLOATS)]
-    words = ints[u(at + WORDS)] + ints[u(at + SUMMARY)]
-    rows = base + ints[u(at + ROWS)]
     first = int(ints[u(at + ints[u(at + ALL)])])
     grid = at + ints[u(at + GRID)]
-    for index in range(ints[u(at + GRIDS)]):
+    for _ in range(ints[u(at + GRIDS)]):
         x = memory[u(base + ints[u(grid + GRID_INPUT)])]
-        cell = cell_of(x, floats, origin + ints[u(grid + GRID_KNOTS)], ints[u(grid + GRID_COUNT)])
-        width = ints[u(grid + GRID_WIDTH)]
-        row = at + ints[u(grid + GRID_ROWS)] + cell * (width + words)
-        segment = origin + ints[u(grid + GRID_SEGMENTS)] + cell * (width * SEGMENT_SIZE)
-        memory[u(base + ints[u(row)])] = degree_on(x, floats, segment)
-        memory[u(base + ints[u(row + 1)])] = degree_on(x, floats, segment + SEGMENT_SIZE)
-        for k in range(2, width):
-            memory[u(base + ints[u(row + k)])] = degree_on(x, floats, segment + k * SEGMENT_SIZE)
-        row += width
+        held = base + ints[u(grid + GRID_CELL)]
+        cell = int(memory[u(held)])
+        edge = origin + ints[u(grid + GRID_EDGES)] + 2 * cell
+        if not (floats[u(edge)] <= x <= floats[u(edge + 1)]):
+            cell = cell_of(x, floats, origin + ints[u(grid + GRID_KNOTS)], ints[u(grid + GRID_COUNT)])
+            memory[u(held)] = cell
+        row = at + ints[u(grid + GRID_ROWS)] + cell * ints[u(grid + GRID_ROW_SIZE)]
+        segment = origin + ints[u(grid + GRID_SEGMENTS)] + cell * ints[u(grid + GRID_PIECES)]
         first &= int(ints[u(row)])
-        if words > 1:
-            memory[u(rows + index)] = row - at
+        memory[u(base + ints[u(row + 1)])] = degree_on(x, floats, segment)
+        memory[u(base + ints[u(row + 2)])] = degree_on(x, floats, segment + SEGMENT_SIZE)
+        if ints[u(grid + GRID_MORE)] != 0:
+            fuzzify_more(ints, floats, at, grid, row, segment, x, memory, base)
         grid += GRID_SIZE
     return first
+
+
+@inlined
+def fuzzify_more(
+    ints: Ints,
+    floats: Floats,
+    at: int,
+    grid: int,
+    row: int,
+    segment: int,
+    x: float,
+    memory: Floats,
+    base: int,
+) -> None:
+    """Write the degrees of the terms of a cell but two, and of masks of many words where the row's begins."""
+    width = ints[u(grid + GRID_WIDTH)]
+    for place in range(2, width):
+        memory[u(base + ints[u(row + 1 + place)])] = degree_on(x, floats, segment + place * SEGMENT_SIZE)
+    if ints[u(grid + GRID_MASK)] != 0:
+        memory[u(base + ints[u(grid + GRID_MASK)])] = row + 1 + width - at
 
 
 @flat
@@ -284,22 +307,30 @@ def defuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int, cu
 @inlined
 def accumulate(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
     """Take all steps but defuzzification; arguments as of `infer`."""
-    clear(ints, floats, at, memory, base)
+    words = 1
+    summary = 0
+    if ints[u(at + MORE)] != 0:
+        words = ints[u(at + WORDS)]
+        summary = ints[u(at + SUMMARY)]
+        if summary > 0:
+            clear_visited(ints, at, memory, base)
+    clear(ints, at, memory, base)
     mask = fuzzify(ints, floats, at, memory, base)
-    if ints[u(at + BROUGHT)] > 0:
+    word = 0
+    if ints[u(at + MORE)] != 0:
         bring(ints, at, memory, base)
-    if ints[u(at + MOVED)] > 0:
         fuzzify_moved(ints, floats, at, memory, base)
-    words = ints[u(at + WORDS)]
-    summary = ints[u(at + SUMMARY)]
-    word = 0 if summary == 0 else next_word(ints, at, memory, base, 0)
-    while word < words:
-        if word > 0 or summary > 0:
-            mask = joined_word(ints, at, memory, base, summary + word)
+        if summary > 0:
+            word = next_word(ints, at, memory, base, 0)
+            mask = joined_word(ints, at, memory, base, summary + word) if word < words else 0
+    while mask != 0 or word < words - 1:
         visit(ints, floats, at, mask, word, memory, base)
         word += 1
         if summary > 0:
             word = next_word(ints, at, memory, base, word)
+        if word >= words:
+            break
+        mask = joined_word(ints, at, memory, base, summary + word)
 
 
 @inlined

@@ -15,6 +15,7 @@ from fcl_sim.engine.program import MASK_BITS
 
 WORD = (1 << MASK_BITS) - 1
 UNKNOWN = (Fraction(0), Fraction(1))
+NEARLY_UNKNOWN = cast("Bounds", (0.0, 1.0))
 SURE = 1e-9
 """A bound above it, computed in floats, is above 0; below it, fractions have to tell, which take longer."""
 FEW_WORDS = 8
@@ -71,7 +72,7 @@ def fireable(codes: Sequence[Code], slots: Sequence[int], cells: Sequence[Cell])
         known = dict(zip(slots, cell.bounds, strict=True))
         nearly = {slot: cast("Bounds", (float(low), float(high))) for slot, (low, high) in known.items()}
         for rule, tokens in loose:
-            if _highest(tokens, nearly) < SURE and _highest(tokens, known) == 0:
+            if _highest(tokens, nearly, NEARLY_UNKNOWN) < SURE and _highest(tokens, known, UNKNOWN) == 0:
                 excluded |= 1 << rule
         sets.append(everything & ~excluded)
     return sets
@@ -86,10 +87,10 @@ def _needing(codes: Sequence[Code], slots: set[int]) -> Mapping[int, int]:
     return needing
 
 
-def _highest(tokens: Sequence[Token], known: Mapping[int, Bounds]) -> Fraction:
+def _highest(tokens: Sequence[Token], known: Mapping[int, Bounds], unknown: Bounds) -> Fraction:
     """Return the upper bound of a condition's degree."""
 
     def bounds_of(token: Token) -> Bounds:
-        return known.get(token.slot, UNKNOWN) if isinstance(token, Push) else UNKNOWN
+        return known.get(token.slot, unknown) if isinstance(token, Push) else unknown
 
     return bounds(tokens, bounds_of)[1]

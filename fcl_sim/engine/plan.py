@@ -7,8 +7,9 @@ from math import inf
 
 from fcl_sim.engine.conditions import Leaf, has_complements, leaves
 from fcl_sim.engine.grid import Base, Function
+from fcl_sim.engine.masks import summary_words
 from fcl_sim.engine.plan_areas import AreaPlan, algorithms, conclusions, grouped, plan_area, points_of
-from fcl_sim.engine.program import MASK_BITS
+from fcl_sim.engine.program import CLEARED_TOGETHER, MASK_BITS
 from fcl_sim.engine.switches import is_fixed, limits_of
 from fcl_sim.model import (
     Accumulation,
@@ -80,6 +81,8 @@ class Plan:
     areas: Mapping[str, AreaPlan]
     spill: int
     clamps: int
+    clear: int
+    cells: int
     visited: int
     rows: int
     stack: int
@@ -126,6 +129,9 @@ def plan(block: FunctionBlock) -> Plan:
             accumulators[variable] = _accumulator(block, variable, defined, at)
             at += accumulators[variable].count * len(accumulators[variable].kinds)
     words = max(1, -(-rules // MASK_BITS))
+    clear = degrees if summary_words(words) == 0 else degrees + rules
+    cells = clear + -(-(at + 2 - clear) // CLEARED_TOGETHER) * CLEARED_TOGETHER
+    visited = cells + len(functions)
     return Plan(
         inputs=inputs,
         outputs=outputs,
@@ -142,9 +148,11 @@ def plan(block: FunctionBlock) -> Plan:
         areas=areas,
         spill=at,
         clamps=at + 1,
-        visited=at + 2,
-        rows=at + 2 + (1 + words if words > 1 else 0),
-        stack=at + 2 + (1 + words + len(functions) if words > 1 else 0),
+        clear=clear,
+        cells=cells,
+        visited=visited,
+        rows=visited + (1 + words if words > 1 else 0),
+        stack=visited + (1 + words + len(functions) if words > 1 else 0),
     )
 
 

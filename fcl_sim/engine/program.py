@@ -27,11 +27,12 @@ Header (i):
     OUTPUT        (i) their records, OUTPUT_SIZE words each
     DEGREES       (m) degree of each rule
     CLEAR         (m) where clearing begins before each evaluation
-    CLEARED       number of words to clear, a multiple of 4
+    CLEARED       (m) where it ends, a multiple of CLEARED_TOGETHER words later
     CLAMPS        (m) how many variables brought in lay outside [0, 1]
     VISITED       (m) with SUMMARY > 0: how many words of the mask were visited, and which
-    ROWS          (m) with WORDS > 1: where each grid's current mask begins (i)
+    ROWS          (m) with WORDS > 1: the GRID_MASK of the grids, one after the other
     STACK         (m) stack of the postfix code
+    MORE          1 where WORDS is above 1, or BROUGHT or MOVED above 0; else 0
     TOGETHER      which steps are taken for many points together: ONE_BY_ONE none, UP_TO_RULES all but
                   defuzzification, ALL_TOGETHER all
 
@@ -41,9 +42,15 @@ Grid record (i), one for each input that has terms with constant points:
     GRID_KNOTS    (f) the knots, strictly rising
     GRID_WIDTH    segments per cell, at least 2; cell 2 k is the interval before knot k, cell 2 k + 1 the
                   knot itself
-    GRID_ROWS     (i) a row of GRID_WIDTH + SUMMARY + WORDS words per cell: the slots (m) whose degrees
-                  the segments give, and the mask of the rules that can fire there
+    GRID_ROWS     (i) a row per cell: the first word of the mask of the rules that can fire there, the slots
+                  (m) whose degrees the segments give, and where WORDS is above 1 the whole mask
     GRID_SEGMENTS (f) by cell and segment: origin, value, run; slots without a segment have degree 0
+    GRID_ROW_SIZE words of a row
+    GRID_PIECES   numbers of a cell's segments
+    GRID_MASK     (m) with WORDS > 1: where the mask of its cell now begins (i); else 0
+    GRID_EDGES    (f) by cell: the least and the greatest number in it
+    GRID_CELL     (m) the cell at the last evaluation
+    GRID_MORE     1 where GRID_WIDTH is above 2 or GRID_MASK is not 0; else 0
 
 Record of a variable brought in (i):
     BRING_INPUT   (m) the variable
@@ -144,7 +151,7 @@ Floats (f) begin with what their precision sets, so that no offset of a constant
 
 Instance memory (m), a head that traces record and the work behind it:
     inputs | outputs | active flags | degrees of the rules |
-    slots | accumulated degrees | spill | clamps | visited | rows | stack | areas
+    slots | accumulated degrees | spill | clamps | cells | visited | rows | stack | areas
 """
 
 from collections.abc import Mapping
@@ -175,11 +182,26 @@ from numpy.typing import NDArray
     VISITED,
     ROWS,
     STACK,
+    MORE,
     TOGETHER,
     HEADER_SIZE,
-) = range(23)
+) = range(24)
 
-GRID_INPUT, GRID_COUNT, GRID_KNOTS, GRID_WIDTH, GRID_ROWS, GRID_SEGMENTS, GRID_SIZE = range(7)
+(
+    GRID_INPUT,
+    GRID_COUNT,
+    GRID_KNOTS,
+    GRID_WIDTH,
+    GRID_ROWS,
+    GRID_SEGMENTS,
+    GRID_ROW_SIZE,
+    GRID_PIECES,
+    GRID_MASK,
+    GRID_EDGES,
+    GRID_CELL,
+    GRID_MORE,
+    GRID_SIZE,
+) = range(13)
 BRING_INPUT, BRING_SLOT, BRING_NOT, BRING_SIZE = range(4)
 MOVE_INPUT, MOVE_SLOT, MOVE_NOT, MOVE_LOW, MOVE_COUNT, MOVE_SPOTS = range(6)
 CURVE_HEIGHT, CURVE_PARAMETER, CURVE_SIZE = 5, 6, 10
@@ -247,6 +269,7 @@ LARGEST = 1e300
 """Bound of the magnitudes in a rule base: sums and products of degrees with them stay finite."""
 
 MASK_BITS = 32
+CLEARED_TOGETHER = 8
 DE_BRUIJN = 0x077CB531
 """Times a power of two below 2**32, bits 27 to 31 of the product tell which one."""
 SEGMENT_SIZE = 3

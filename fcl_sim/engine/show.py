@@ -70,7 +70,7 @@ def _memory(program: Program) -> Iterator[str]:
 
 def _grids(program: Program) -> Iterator[str]:
     ints, floats, names = program.ints, program.floats, _names(program)
-    words = int(ints[p.WORDS] + ints[p.SUMMARY])
+    summary = int(ints[p.SUMMARY])
     for index in range(int(ints[p.GRIDS])):
         grid = ints[ints[p.GRID] + index * p.GRID_SIZE :]
         count, width = int(grid[p.GRID_COUNT]), int(grid[p.GRID_WIDTH])
@@ -79,10 +79,11 @@ def _grids(program: Program) -> Iterator[str]:
         yield ""
         yield f"grid {names[int(grid[p.GRID_INPUT])]}: {len(knots)} knots, up to {width} degrees in a cell"
         for cell in range(2 * len(knots) + 1):
-            row = ints[grid[p.GRID_ROWS] + cell * (width + words) :][: width + words]
+            row = ints[grid[p.GRID_ROWS] + cell * grid[p.GRID_ROW_SIZE] :][: grid[p.GRID_ROW_SIZE]]
+            rules = row[1 + width + summary :] if ints[p.WORDS] > 1 else row
             segments = floats[grid[p.GRID_SEGMENTS] + cell * width * p.SEGMENT_SIZE :].reshape(-1)
-            yield f"  {_place(knots, cell):18}  rules {_mask(row[width + int(ints[p.SUMMARY]) :], program)}"
-            for k, slot in enumerate(row[:width].tolist()):
+            yield f"  {_place(knots, cell):18}  rules {_mask(rules, program)}"
+            for k, slot in enumerate(row[1 : 1 + width].tolist()):
                 if slot in names:
                     origin, value, run = segments[k * p.SEGMENT_SIZE :][: p.SEGMENT_SIZE]
                     rise = "" if np.isinf(run) else f" + (x - {origin:g}) / {run:g}"

@@ -1,6 +1,6 @@
 """The engine against the oracle on one rule base: what differs, and by how much at most."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -62,15 +62,25 @@ def infer(
     return memory
 
 
-def errors(base: FunctionBlock, values: Mapping[str, float], precision: Precision = LREAL) -> Iterator[Error]:
-    """Yield every comparison of one evaluation with the oracle's opinion.
+def errors(
+    base: FunctionBlock, points: Iterable[Mapping[str, float]], precision: Precision = LREAL
+) -> Iterator[Error]:
+    """Yield every comparison of one evaluation for each point with the oracle's opinion.
 
     Rule base and inputs are those of the arithmetic: numbers rounded to it.
     """
-    bounds = BOUNDS[precision]
     base = narrowed(base, precision)
-    values = {name: float(precision.dtype(value)) for name, value in values.items()}
     program = assemble(base, precision)
+    for point in points:
+        values = {name: float(precision.dtype(value)) for name, value in point.items()}
+        yield from errors_at(base, program, values, precision)
+
+
+def errors_at(
+    base: FunctionBlock, program: Program, values: Mapping[str, float], precision: Precision
+) -> Iterator[Error]:
+    """Yield every comparison of one evaluation; rule base and inputs are rounded to the arithmetic."""
+    bounds = BOUNDS[precision]
     memory = infer(program, values, PREVIOUS)
     opinion = oracle.evaluate(base, values, PREVIOUS)
     for key, degree in opinion.terms.items():

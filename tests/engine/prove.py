@@ -1,6 +1,6 @@
 """`python -m tests.engine.prove [BASES] [FIRST SEED] [PROCESSES]`: random rule bases against the oracle.
 
-Each base is evaluated in LREAL and, with other inputs, in REAL; every fourth is
+Each base is evaluated in LREAL and, with other inputs, in REAL, a few times each; every fourth is
 one of operators of the Open Level. Besides, areas under norms of the Open Level
 against their formulae, a tenth as many. Prints how far it is every now and
 then, every comparison that exceeds what it may, and at last the largest errors
@@ -23,6 +23,8 @@ from tests.engine.random_bases import random_base, random_values
 
 SIZES = (0, 1, 2, 3, 4, 5, 7, 9, 12, 15, 20, 33)
 CHUNK = 200
+POINTS = 2
+"""Evaluations of each base in each arithmetic."""
 ROUNDED = 1.1
 """The polyline's tolerance holds for exact numbers; degrees near a jump are rounded."""
 
@@ -64,8 +66,8 @@ def prove(first: int) -> Findings:
         found.bases += 1
         found.used.update(features(base))
         for number, (name, precision) in enumerate(PRECISIONS.items()):
-            values = random_values(seed + number * 10**9, base)
-            for what, error, bound in errors(base, values, precision):
+            points = [random_values(seed + (POINTS * number + each) * 10**9, base) for each in range(POINTS)]
+            for what, error, bound in errors(base, points, precision):
                 family = what.split(" by ")[-1] if " by " in what else what.split(" ")[0]
                 family = "term" if " IS " in what else "flag" if what.endswith("active") else family
                 found.add(f"{name} {'norms ' if norms else ''}{family}", seed, what, error, bound)

@@ -47,7 +47,7 @@ SMALL = block(
 )
 
 SHOWN = """\
-program small: 121 integers, 59 floats, 21 words of memory
+program small: 128 integers, 69 floats, 27 words of memory
 
 memory (the first 6 words are recorded)
   m0    x
@@ -222,9 +222,9 @@ outputs
       BSUM
           0.5 · MIN(m12, μ) + 1 · MIN(m13, μ) of (0, 0) (1, 1) (2, 0)
   z: RM, range the hull of its points, DEFAULT 0
-      m413 = (m, 0) (5, 1)
+      m417 = (m, 0) (5, 1)
       BSUM
-          1 · MIN(m14, μ) of m413
+          1 · MIN(m14, μ) of m417
   w: LM, BSUM at m15, places m, 2, DEFAULT 0"""
 
 

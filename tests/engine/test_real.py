@@ -34,7 +34,7 @@ END_FUNCTION_BLOCK
 @pytest.mark.parametrize("seed", SEEDS)
 def test_every_number_is_within_its_bound_of_the_exact_one(seed):
     base = random_base(seed, seed % 13)
-    for what, error, bound in errors(base, random_values(seed, base), REAL):
+    for what, error, bound in errors(base, [random_values(seed, base)], REAL):
         assert error <= bound, what
 
 
