@@ -132,18 +132,11 @@ def measure_block() -> Iterator[Line | str]:
 def _measured(case: Case, library: ctypes.CDLL) -> Iterator[Line | str]:
     random = np.random.default_rng(1)
     n = 200_000
+    path = tuple(_swept(limits, n, turns) for limits, turns in zip(case.ranges, (35, 414), strict=True))
+    yield _chained(f"{case.title}, in a loop", case, library, path)
     a, b = (random.uniform(*limits, n) for limits in case.ranges)
+    yield _chained(f"{case.title}, in a loop at random points", case, library, (a, b))
     pointers = (pointer(a), pointer(b))
-    twin = getattr(library, f"{case.twin}_chain")
-    twin.restype = ctypes.c_double
-    program = case.block.program
-    memory = program.initial.copy()
-    ours, theirs = in_turns(
-        lambda: chain(program.ints, program.floats, memory, a, b),
-        lambda: twin(*pointers, ctypes.c_size_t(n)),
-        rounds=11,
-    )
-    yield _line(f"{case.title}, in a loop", ours / n, theirs / n)
     names = case.block.inputs
     values = dict(zip(names, (a, b), strict=True))
     results = np.empty(n)
@@ -162,6 +155,28 @@ def _measured(case: Case, library: ctypes.CDLL) -> Iterator[Line | str]:
     call = timeit.Timer(lambda: instance(**{names[0]: 12.0, names[1]: 4.0}), timer=thread_time)
     times = [call.timeit(10_000) / 10_000 for _ in range(11)]
     yield f"{case.title}, called from Python: {1e6 * median(times):.2f} µs"
+
+
+def _swept(limits: tuple[float, float], n: int, turns: int) -> Values:
+    """Return n numbers that swing to and fro between limits, as slowly as the signals of a loop do."""
+    low, high = limits
+    swing: Values = low + (high - low) * (0.5 + 0.5 * np.sin(np.linspace(0.0, 2.0 * np.pi * turns, n)))
+    return swing
+
+
+def _chained(title: str, case: Case, library: ctypes.CDLL, inputs: tuple[Values, Values]) -> Line:
+    """Return a line on dependent evaluations: each waits for the one before."""
+    a, b = inputs
+    twin = getattr(library, f"{case.twin}_chain")
+    twin.restype = ctypes.c_double
+    program = case.block.program
+    memory = program.initial.copy()
+    ours, theirs = in_turns(
+        lambda: chain(program.ints, program.floats, memory, a, b),
+        lambda: twin(pointer(a), pointer(b), ctypes.c_size_t(a.size)),
+        rounds=11,
+    )
+    return _line(title, ours / a.size, theirs / a.size)
 
 
 def _growth() -> Iterator[str]:

@@ -85,6 +85,9 @@ from fcl_sim.engine.program import (
 from fcl_sim.engine.settle import settle
 from fcl_sim.jit import clear_eight, flat, inlined, u
 
+AGAIN = 2
+"""So often in a row a variable is found in the cell of the evaluation before, until that is expected."""
+
 Ints = NDArray[int64]
 Floats = NDArray[float64]
 
@@ -118,8 +121,8 @@ def clear_visited(ints: Ints, at: int, memory: Floats, base: int) -> None:
 def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> int:
     """Write the degrees of all input terms; return the mask of rules that can fire, if it is one word.
 
-    A variable is seldom in another cell than at the last evaluation: a
-    processor goes on with that one while it still compares.
+    In a loop, a variable is seldom in another cell than at the last evaluation:
+    a processor goes on with that one while it still compares.
     """
     origin = ints[u(at + FLOATS)]
     first = int(ints[u(at + ints[u(at + ALL)])])
@@ -141,6 +144,18 @@ def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> i
             fuzzify_more(ints, floats, at, grid, row, segment, x, memory, base)
         grid += GRID_SIZE
     return first
+
+
+@inlined
+def expected(before: int, cell: int) -> int:
+    """Return the word that says in which cell a variable is next, now that it was sought and found in `cell`.
+
+    It is the cell once that came three times in a row: a guess that fails
+    costs as much as a search. Till then it is below 0, of the cell and of how
+    often it came again.
+    """
+    again = ((-before & 3) + 1) * int(before < 0 and -before >> 2 == cell + 1)
+    return cell if again == AGAIN else -(4 * cell + 4 + again)
 
 
 @inlined
@@ -323,7 +338,7 @@ def accumulate(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -
         if summary > 0:
             word = next_word(ints, at, memory, base, 0)
             mask = joined_word(ints, at, memory, base, summary + word) if word < words else 0
-    while mask != 0 or word < words - 1:
+    while word < words:
         visit(ints, floats, at, mask, word, memory, base)
         word += 1
         if summary > 0:

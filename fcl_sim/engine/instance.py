@@ -1,6 +1,7 @@
 """An instance of a function block, called as IEC 61131-3 calls one."""
 
 from math import isfinite
+from struct import Struct
 from typing import Any, cast
 
 from fcl_sim.engine.entries import one_for
@@ -24,10 +25,12 @@ class Instance:
         "_buffers",
         "_fits",
         "_memory",
+        "_pack",
         "_places",
         "_program",
         "_results",
         "_run",
+        "_together",
         "_words",
     )
 
@@ -41,6 +44,11 @@ class Instance:
         self._buffers = (program.ints, program.floats, self._memory)
         self._fits = isfinite if program.arithmetic == "LREAL" else _fits_real
         self._run = one_for(program).compile()
+        long = program.arithmetic == "LREAL"
+        self._together = (
+            program.input_names if long else None
+        )  # inputs that are written at once, if in this order
+        self._pack = Struct(f"{len(self._places)}d").pack_into
 
     def __call__(self, **inputs: float) -> None:
         """Evaluate once.
@@ -49,16 +57,25 @@ class Instance:
         for a number that is not finite (S37), or beyond REAL; the instance is then
         as it was.
         """
+        values = inputs.values()
+        try:
+            if tuple(inputs) == self._together and isfinite(sum(values)):  # so each of them is
+                self._pack(self._words, 0, *values)
+            else:
+                self._write(inputs)
+        except (TypeError, OverflowError):
+            self._write(inputs)
+        self._run(*self._buffers)
+
+    def _write(self, inputs: dict[str, float]) -> None:
+        """Write inputs by name, or raise what `__call__` says and write none."""
         places = self._places
         try:
             usable = all(map(self._fits, inputs.values())) and inputs.keys() <= places.keys()
-        except TypeError:
+        except (TypeError, OverflowError):
             usable = False
-        if not usable:
-            inputs = self._checked(inputs)
-        for name, value in inputs.items():
+        for name, value in (inputs if usable else self._checked(inputs)).items():
             self._words[places[name]] = value
-        self._run(*self._buffers)
 
     def __getattr__(self, name: str) -> float:
         """Return the value of the output `name`."""
@@ -152,6 +169,8 @@ def _number(name: str, value: Any, arithmetic: str) -> float:
         usable = isfinite(value)
     except TypeError:
         raise TypeError(f"{name} must be a number, not {type(value).__name__}") from None
+    except OverflowError:  # a whole number of more than 308 digits
+        raise ValueError(f"{name} is more than {arithmetic} can hold") from None
     if not usable:
         raise ValueError(f"{name} is {value}")
     largest = PRECISIONS[arithmetic].largest

@@ -91,11 +91,13 @@ def within(plant: Plant, work: Work, t: float, h: float) -> float:
     ints, rows, middle = work.ints, work.rows, work.middle
     at = row_of(0, ints[u(STATES)])
     x, trial, dx, bow = work.x, work.trial, work.dx, 0.125 * h
-    for i in range(0, ints[u(STATES)], 4):
+    i = 0
+    while i < ints[u(STATES)]:
         middle[u(i)] = 0.5 * (x[u(i)] + trial[u(i)]) + bow * (rows[u(at + i)] - dx[u(i)])
         middle[u(i + 1)] = 0.5 * (x[u(i + 1)] + trial[u(i + 1)]) + bow * (rows[u(at + i + 1)] - dx[u(i + 1)])
         middle[u(i + 2)] = 0.5 * (x[u(i + 2)] + trial[u(i + 2)]) + bow * (rows[u(at + i + 2)] - dx[u(i + 2)])
         middle[u(i + 3)] = 0.5 * (x[u(i + 3)] + trial[u(i + 3)]) + bow * (rows[u(at + i + 3)] - dx[u(i + 3)])
+        i += 4
     plant.events(t + 0.5 * h, middle, work.held, work.p, work.progress[u(MODE)], work.gm)
     armed = work.progress[u(ARMED)]
     directions = ints[u(DIRECTIONS_AT)]

@@ -69,11 +69,13 @@ def accepted(work: Work, t: float, h: float, wanted: float) -> bool:
 def carry(work: Work) -> None:
     """Make the end of a step the start of the next."""
     x, trial = work.x, work.trial
-    for i in range(0, work.ints[u(STATES)], 4):
+    i = 0
+    while i < work.ints[u(STATES)]:
         x[u(i)] = trial[u(i)]
         x[u(i + 1)] = trial[u(i + 1)]
         x[u(i + 2)] = trial[u(i + 2)]
         x[u(i + 3)] = trial[u(i + 3)]
+        i += 4
     for i in range(work.ints[u(EVENTS)]):
         work.g0[u(i)] = work.g1[u(i)]
 

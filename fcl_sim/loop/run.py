@@ -5,7 +5,7 @@ from time import perf_counter
 import numpy as np
 
 from fcl_sim.loop import layout
-from fcl_sim.loop.diagram import Diagram, FuzzyNode
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Wire
 from fcl_sim.loop.linked import linked
 from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.reported import events_of, refused
@@ -95,11 +95,11 @@ def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:
 def _trace(tape: Tape, record: Values, state: RunState) -> Trace:
     wiring = tape.wiring
     names = tuple(wiring.units)
-    values = np.empty((record.shape[0], len(names)))
-    for index, name in enumerate(names):
-        source = wiring.sources.get(name)
-        slot = tape.slots[source.source if source else name]
-        values[:, index] = (source.sign if source else 1.0) * record[:, tape.column(slot)]
+    wires = [wiring.sources.get(name, Wire(name)) for name in names]
+    values = record.take([tape.column(tape.slots[wire.source]) for wire in wires], axis=1)
+    signs = np.array([wire.sign for wire in wires])
+    if (signs != 1.0).any():
+        values *= signs
     fuzzy = {
         node.name: _fuzzy_record(tape, node, record) for node in wiring.order if isinstance(node, FuzzyNode)
     }

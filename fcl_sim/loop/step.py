@@ -6,8 +6,9 @@ from fcl_sim.jit import flat, inlined, u
 from fcl_sim.loop.layout import ADAPTIVE, RTOL, SCALES_AT, SCHEME_AT, STAGES, STATES, STEP_AT, TRUE_STATES
 from fcl_sim.loop.work import BASE_AT, MODE, Floats, Plant, Work, row_of
 
-# States come in pieces of 4, written out: loops of constant length are what
-# lets the compiler keep a piece in one register.
+# States come in pieces of 4, written out, and how many there are is looked up
+# at each turn: of a loop whose length is known beforehand the compiler makes one
+# for long vectors, and asks before each whether any two of its arrays overlap.
 
 
 @inlined
@@ -15,31 +16,34 @@ def keep(work: Work, states: int, derivative: int) -> None:
     """Copy dx into the row of a derivative."""
     dx, rows = work.dx, work.rows
     at = row_of(derivative, states)
-    for i in range(0, states, 4):
+    i = 0
+    while i < work.ints[u(STATES)]:
         rows[u(at + i)] = dx[u(i)]
         rows[u(at + i + 1)] = dx[u(i + 1)]
         rows[u(at + i + 2)] = dx[u(i + 2)]
         rows[u(at + i + 3)] = dx[u(i + 3)]
+        i += 4
 
 
 @inlined
-def shift(
-    work: Work, states: int, origin: Floats, origin_at: int, weight: float, dx: Floats, dx_at: int
-) -> None:
+def shift(work: Work, origin: Floats, origin_at: int, weight: float, dx: Floats, dx_at: int) -> None:
     """Set trial = origin + weight * dx, these two beginning at words of their buffers."""
     trial = work.trial
-    for i in range(0, states, 4):
+    i = 0
+    while i < work.ints[u(STATES)]:
         trial[u(i)] = origin[u(origin_at + i)] + weight * dx[u(dx_at + i)]
         trial[u(i + 1)] = origin[u(origin_at + i + 1)] + weight * dx[u(dx_at + i + 1)]
         trial[u(i + 2)] = origin[u(origin_at + i + 2)] + weight * dx[u(dx_at + i + 2)]
         trial[u(i + 3)] = origin[u(origin_at + i + 3)] + weight * dx[u(dx_at + i + 3)]
+        i += 4
 
 
 @inlined
 def gather(work: Work, states: int, h: float, row: int, count: int) -> None:
     """Set base = x + h * (the first `count` derivatives, weighted by the row of the scheme)."""
     floats, x, rows = work.floats, work.x, work.rows
-    for i in range(0, states, 4):
+    i = 0
+    while i < work.ints[u(STATES)]:
         s0 = s1 = s2 = s3 = 0.0
         at = row_of(0, states) + i
         for j in range(count):
@@ -54,6 +58,7 @@ def gather(work: Work, states: int, h: float, row: int, count: int) -> None:
         rows[u(base + 1)] = x[u(i + 1)] + h * s1
         rows[u(base + 2)] = x[u(i + 2)] + h * s2
         rows[u(base + 3)] = x[u(i + 3)] + h * s3
+        i += 4
 
 
 @inlined
@@ -68,7 +73,7 @@ def attempt(plant: Plant, work: Work, t: float, h: float) -> None:
     nodes = ints[u(SCHEME_AT)]
     adaptive = ints[u(ADAPTIVE)] == 1
     row = nodes + stages + 1
-    shift(work, states, work.x, 0, h * floats[u(row)], work.rows, row_of(0, states))
+    shift(work, work.x, 0, h * floats[u(row)], work.rows, row_of(0, states))
     for stage in range(1, stages + 1):
         row += stage
         if stage < stages:
@@ -79,7 +84,7 @@ def attempt(plant: Plant, work: Work, t: float, h: float) -> None:
             plant.dynamics(at, work.trial, work.held, work.p, work.progress[u(MODE)], work.dx)
             keep(work, states, stage)
         if stage < stages:
-            shift(work, states, work.rows, BASE_AT, h * floats[u(row + stage)], work.dx, 0)
+            shift(work, work.rows, BASE_AT, h * floats[u(row + stage)], work.dx, 0)
 
 
 @flat
@@ -105,7 +110,8 @@ def error_of(work: Work, h: float) -> float:
     weights = ints[u(SCHEME_AT)] + (stages + 1) + stages * (stages + 1) // 2
     rtol = floats[u(ints[u(STEP_AT)] + RTOL)]
     worst = 0.0
-    for i in range(0, states, 4):
+    i = 0
+    while i < work.ints[u(STATES)]:
         e0 = e1 = e2 = e3 = 0.0
         at = row_of(0, states) + i
         for j in range(stages + 1):
@@ -121,6 +127,7 @@ def error_of(work: Work, h: float) -> float:
         e2 = fabs(h * e2) / (rtol * (floats[u(s + 2)] + max(fabs(x[u(i + 2)]), fabs(trial[u(i + 2)]))))
         e3 = fabs(h * e3) / (rtol * (floats[u(s + 3)] + max(fabs(x[u(i + 3)]), fabs(trial[u(i + 3)]))))
         worst = greater(greater(worst, e0), greater(e1, greater(e2, e3)))
+        i += 4
     return inf if isnan(worst) else worst
 
 

@@ -2,11 +2,14 @@ import copy
 import gc
 import sys
 from math import inf, nan
+from random import Random
 
+import numpy as np
 import pytest
 
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.instance import Instance
+from fcl_sim.engine.precision import LREAL, REAL
 from fcl_sim.jit import compiled
 from fcl_sim.model import RuleBlock, Variable
 from tests.engine.bases import CRANE, block, crane, every, output, points, rule, singleton
@@ -40,6 +43,35 @@ def test_inputs_that_are_not_given_keep_their_value():
     assert instance.outputs != once
     instance(angle=3.0)
     assert instance.outputs == once
+
+
+@pytest.mark.parametrize("precision", [LREAL, REAL], ids=lambda each: each.name)
+def test_what_was_before_the_call_has_no_bearing_on_a_rule_base_without_memory(precision):
+    program = assemble(CRANE, precision)
+    instance, random = Instance(CRANE, program), Random(5)  # noqa: S311
+    knots = [0.0, 5.0, 10.0, 22.0, -5.0, -50.0]
+    distance, angle = 0.0, 0.0
+    for step in range(2000):
+        if step % 7 == 0:  # on a knot, or next to one
+            knot = random.choice(knots)
+            distance = float(
+                np.nextafter(precision.dtype(knot), precision.dtype(random.choice((-99, knot, 99))))
+            )
+        else:  # mostly in the cell of the call before
+            distance += random.uniform(-0.3, 0.3)
+        angle = random.choice((angle, angle + random.uniform(-0.5, 0.5), random.uniform(-60.0, 60.0)))
+        instance(distance=distance, angle=angle)
+        fresh = Instance(CRANE, program)
+        fresh(distance=distance, angle=angle)
+        assert (instance.outputs, instance.degrees) == (fresh.outputs, fresh.degrees)
+
+
+def test_a_number_too_long_for_a_float_is_an_error_and_changes_nothing():
+    instance = Instance(CRANE, assemble(CRANE))
+    instance(distance=2.0, angle=3.0)
+    with pytest.raises(ValueError, match="distance is more than LREAL can hold"):
+        instance(distance=10**400, angle=1.0)
+    assert instance.inputs == {"distance": 2.0, "angle": 3.0}
 
 
 def test_nc_keeps_the_previous_value_and_at_first_the_initial_one():
