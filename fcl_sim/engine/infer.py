@@ -85,9 +85,6 @@ from fcl_sim.engine.program import (
 from fcl_sim.engine.settle import settle
 from fcl_sim.jit import clear_eight, flat, inlined, u
 
-AGAIN = 2
-"""So often in a row a variable is found in the cell of the evaluation before, until that is expected."""
-
 Ints = NDArray[int64]
 Floats = NDArray[float64]
 
@@ -144,18 +141,6 @@ def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> i
             fuzzify_more(ints, floats, at, grid, row, segment, x, memory, base)
         grid += GRID_SIZE
     return first
-
-
-@inlined
-def expected(before: int, cell: int) -> int:
-    """Return the word that says in which cell a variable is next, now that it was sought and found in `cell`.
-
-    It is the cell once that came three times in a row: a guess that fails
-    costs as much as a search. Till then it is below 0, of the cell and of how
-    often it came again.
-    """
-    again = ((-before & 3) + 1) * int(before < 0 and -before >> 2 == cell + 1)
-    return cell if again == AGAIN else -(4 * cell + 4 + again)
 
 
 @inlined

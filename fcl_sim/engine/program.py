@@ -49,7 +49,7 @@ Grid record (i), one for each input that has terms with constant points:
     GRID_PIECES   numbers of a cell's segments
     GRID_MASK     (m) with WORDS > 1: where the mask of its cell now begins (i); else 0
     GRID_EDGES    (f) by cell: the least and the greatest number in it
-    GRID_CELL     (m) the cell that is expected, or below 0 what is known of it (infer.expected)
+    GRID_CELL     (m) the cell at the last evaluation
     GRID_MORE     1 where GRID_WIDTH is above 2 or GRID_MASK is not 0; else 0
 
 Record of a variable brought in (i):
