@@ -94,10 +94,10 @@ class _Reasons:
         """Return the first stretch of a window over which its part is `value`."""
         (part,) = course.parts
         so, count = _surely(part, value=value), len(self.scans)
-        begin = np.minimum(self._next(so)[course.over.first], count - 1)
-        end = np.minimum(self._next(~so)[begin] - 1, np.minimum(course.over.last, count - 1))
+        begin = np.minimum(self._next(so).take(course.over.first), count - 1)
+        end = np.minimum(self._next(~so).take(begin) - 1, np.minimum(course.over.last, count - 1))
         why = self.why(part, value=value)
-        return _around(why[:, begin], why[:, np.maximum(end, begin)])
+        return _around(why.take(begin, axis=1), why.take(np.maximum(end, begin), axis=1))
 
     def _broken(self, course: Course) -> Values:
         """Return why an until is false: its right side up to where the left one goes, or all of it."""
