@@ -2,12 +2,14 @@
 
 States: position x of the trolley (the target is at 0), speed v, angle th of the
 load (positive: ahead of the trolley, towards the target), its rate w, and the
-drive force F. Input: motor power P. With M the trolley's mass, m the load's,
+drive force F. Inputs: motor power P, and the speed u of the wind at the load,
+which may be left unconnected: no wind. With M the trolley's mass, m the load's,
 L the cable's length:
 
-    (M + m) v' + m L w' cos th - m L w^2 sin th = F - Ff
-    L w' + v' cos th + g sin th = -2 zeta sqrt(g L) w
+    (M + m) v' + m L w' cos th - m L w^2 sin th = F - Ff + W
+    L w' + v' cos th + g sin th = -2 zeta sqrt(g L) w + W cos th / m
     F' = (limited(Fc) - F) / taud,    Fc = P / max(|v|, vb)
+    W = rho/2 cA u |u|
 
 The drive gives constant torque below the base speed vb and constant power above
 it; motoring fades out at the greatest speed, |F| is limited by adhesion.
@@ -48,7 +50,10 @@ PLANT = Plant(
         State("rate", "rad/s", 0.0, "of the angle", scale=0.1),
         State("drive_force", "N", 0.0, "on the trolley", scale=1000.0),
     ),
-    inputs=(Input("power", "kW", "motor power, positive drives towards the target"),),
+    inputs=(
+        Input("power", "kW", "motor power, positive drives towards the target"),
+        Input("wind", "m/s", "u, at the load, positive blows towards greater x", optional=True),
+    ),
     outputs=(
         Output("distance", "m", "from the trolley to the target"),
         Output("angle", "deg", "load, positive ahead of the trolley"),
@@ -95,6 +100,15 @@ PLANT = Plant(
         Parameter("damping", "1", 0.005, "zeta of the swing", "[A]", 0.0),
         Parameter("adhesion", "1", 0.12, "greatest |F| per weight", "[A] steel on steel", 0.0),
         Parameter("limiter_gain", "N s/m", 5e4, "slope of the fading at the greatest speed", "[A]", 0.0),
+        Parameter(
+            "wind_area",
+            "m2",
+            38.0,
+            "cA: coefficient of drag times area of the load",
+            "[A] 1.2 times the broad side of a container of 40 ft, 12.19 m by 2.59 m (ISO 668)",
+            0.0,
+        ),
+        Parameter("air_density", "kg/m3", 1.25, "rho", "[A] u^2/1.6 as pressure, usual for cranes", 0.0),
     ),
     modes=(
         Mode("stuck", "the trolley rests, held by friction"),
@@ -111,12 +125,20 @@ PLANT = Plant(
 
 
 @kernel
-def pull(x, p):
-    """Force on the trolley from drive and load, without friction."""
+def pull(x, u, p):
+    """Force on the trolley from drive, load and the wind on it, without friction."""
     load_mass, length, gravity = p[1], p[2], p[3]
     sine, cosine, rate = sin(x[2]), cos(x[2]), x[3]
     damping = 2.0 * p[9] * sqrt(gravity * length) * rate
-    return x[4] + load_mass * length * rate * rate * sine + load_mass * cosine * (gravity * sine + damping)
+    swing = gravity * sine + damping
+    still = x[4] + load_mass * length * rate * rate * sine + load_mass * cosine * swing
+    return still + drag(u[1], p) * sine * sine
+
+
+@kernel
+def drag(wind, p):
+    """Force of the wind on the load."""
+    return 0.5 * p[13] * p[12] * wind * fabs(wind)
 
 
 @kernel
@@ -143,15 +165,18 @@ def dynamics(t, x, u, p, mode, dx):
     speed, rate, force = x[1], x[3], x[4]
     sine, cosine = sin(x[2]), cos(x[2])
     swing = gravity * sine + 2.0 * p[9] * sqrt(gravity * length) * rate
+    wind = drag(u[1], p)
     acceleration = 0.0
     if mode != STUCK:
         friction = p[8] * speed + (hold(p) if mode == FORWARD else -hold(p))
         net = force - friction + load_mass * (length * rate * rate * sine + cosine * swing)
+        net += wind * sine * sine
         acceleration = net / (trolley_mass + load_mass - load_mass * cosine * cosine)
     dx[0] = speed
     dx[1] = acceleration
     dx[2] = rate
-    dx[3] = -(acceleration * cosine + swing) / length
+    blown = wind * cosine / load_mass if load_mass > 0.0 else 0.0
+    dx[3] = -(acceleration * cosine + swing - blown) / length
     dx[4] = (commanded(u[0], speed, p) - force) / p[6]
 
 
@@ -174,7 +199,7 @@ def events(t, x, u, p, mode, g):
     g[BREAKS_FORWARD] = -1.0
     g[BREAKS_BACKWARD] = 1.0
     if mode == STUCK:
-        now = pull(x, p)
+        now = pull(x, u, p)
         g[BREAKS_FORWARD] = now - hold(p)
         g[BREAKS_BACKWARD] = now + hold(p)
 
@@ -191,7 +216,7 @@ def transition(i, t, x, u, p, mode):
         return FORWARD
     if x[1] < 0.0:
         return BACKWARD
-    now = pull(x, p)
+    now = pull(x, u, p)
     if fabs(now) <= hold(p):
         return STUCK
     return FORWARD if now > 0.0 else BACKWARD

@@ -108,9 +108,21 @@ class PlantNode:
 
     @property
     def signals(self) -> tuple[str, ...]:
-        """Full names of its outputs, then of its inputs as written."""
+        """Full names of its outputs, then of its inputs as written; one left unconnected is none."""
+        return tuple(name for name in self.paths if name not in self.unconnected)
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Full names of all its outputs, then of all its inputs."""
         plant = self.model.declaration
         names = [each.name for each in plant.outputs] + [each.name for each in plant.inputs]
+        return tuple(f"{self.name}.{name}" for name in names)
+
+    @property
+    def unconnected(self) -> tuple[str, ...]:
+        """Full names of the optional inputs that nothing drives."""
+        inputs = self.model.declaration.inputs
+        names = [each.name for each in inputs if each.optional and each.name not in self.inputs]
         return tuple(f"{self.name}.{name}" for name in names)
 
 

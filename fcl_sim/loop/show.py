@@ -51,8 +51,11 @@ def _signed(wire: Wire) -> str:
 def _plant(wiring: Wiring) -> Iterator[str]:
     plant, timing = wiring.diagram.plant, wiring.diagram.timing
     yield f"plant {plant.name}: {plant.model.declaration.title}"
-    for name, each in plant.inputs.items():
-        yield f"  {name} = {_source(wiring, each)}, held between writes"
+    for each in plant.model.declaration.inputs:
+        if each.name in plant.inputs:
+            yield f"  {each.name} = {_source(wiring, plant.inputs[each.name])}, held between writes"
+        else:
+            yield f"  {each.name} stays at {each.start:g} {each.unit}".rstrip()
     scheme = "exactly" if wiring.diagram.exact else f"by {wiring.diagram.integration.scheme}"
     yield f"  integrated {scheme}, one scan every {timing.scan / 1e9:g} s"
 

@@ -191,7 +191,7 @@ def _nodes(wiring: Wiring) -> dict[str, Node]:
 def _share_out(
     diagram: Diagram, order: Sequence[Node | FuzzyNode], layouts: Mapping[str, NodeLayout]
 ) -> _Memory:
-    names = list(diagram.plant.signals)
+    names = list(diagram.plant.paths)
     names += [name for node in order if isinstance(node, Node) for name in signals_of(node)]
     names += [node.name for node in order if isinstance(node, FuzzyNode) and (node.in_real or node.in_int)]
     slots = {name: slot for slot, name in enumerate(names)}
@@ -333,10 +333,12 @@ def _write_words(
     wiring: Wiring, memory: _Memory, ints: _Buffer, floats: _Buffer, forced: Mapping[str, float]
 ) -> dict[int, int]:
     plant = wiring.diagram.plant
-    names = [each.name for each in plant.model.declaration.inputs]
-    paths = {name: f"{plant.name}.{name}" for name in names}
+    paths = {each.name: f"{plant.name}.{each.name}" for each in plant.model.declaration.inputs}
     wires = [
-        Wire(paths[name]) if paths[name] in forced else wiring.resolve(plant.inputs[name]) for name in names
+        wiring.resolve(plant.inputs[name])
+        if name in plant.inputs and path not in forced
+        else Wire(path)  # what stands in the signal is written to it again
+        for name, path in paths.items()
     ]
     return {
         layout.WRITES_AT: ints.append([memory.slots[each.source] for each in wires]),

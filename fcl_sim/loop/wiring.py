@@ -115,7 +115,7 @@ def _unfit_blocks(diagram: Diagram) -> Iterator[Diagnostic]:
     plant = diagram.plant
     yield from _unfit_plant(diagram)
     for declared in plant.model.declaration.inputs:
-        if declared.name not in plant.inputs:
+        if declared.name not in plant.inputs and not declared.optional:
             message = f"the plant's input `{plant.name}.{declared.name}` is not connected"
             yield fault("WIR103", message, plant.span, f"it is {declared.meaning}, in {declared.unit or '1'}")
     for node in diagram.nodes:
@@ -147,8 +147,9 @@ def _units(
     plant = diagram.plant
     settings: dict[str, Setting] = {}
     declaration = plant.model.declaration
+    driven = [each for each in declaration.inputs if each.name in plant.inputs]
     units = {f"{plant.name}.{each.name}": parse_unit(each.unit) for each in declaration.outputs}
-    units |= {f"{plant.name}.{each.name}": parse_unit(each.unit) for each in declaration.inputs}
+    units |= {f"{plant.name}.{each.name}": parse_unit(each.unit) for each in driven}
     left = list(order)
     while left:
         waiting = []
@@ -170,7 +171,7 @@ def _units(
                 faults += () if faults else _circular(waiting)
                 break
         left = waiting
-    for declared in declaration.inputs:
+    for declared in driven:
         each = plant.inputs[declared.name]
         unit = units.get(plain.resolve(each).source)
         if unit is not None and not unit.same_as(parse_unit(declared.unit)):

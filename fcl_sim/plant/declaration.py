@@ -31,12 +31,17 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """A manipulated or disturbing value: u[i], held between writes; `start` until the first."""
+    """A manipulated or disturbing value: u[i], held between writes; `start` until the first.
+
+    An `optional` one, such as the wind, may be left unconnected: it stays at
+    `start`, and the loop has no signal of its name.
+    """
 
     name: str
     unit: str
     meaning: str
     start: float = 0.0
+    optional: bool = False
 
 
 @dataclass(frozen=True, slots=True)

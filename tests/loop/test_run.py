@@ -91,6 +91,16 @@ def test_what_is_written_is_held_until_the_next_scan(tmp_path):
     assert trace["plant.x"] == pytest.approx(2.0 * trace.time, abs=1e-12)
 
 
+def test_an_optional_input_stays_at_its_start_until_something_drives_it(tmp_path):
+    optional = INTEGRATOR.replace('"x\'")', '"x\'", start=3.0, optional=True)')
+    model = plant_of(tmp_path, optional)
+    free = replace(driven(model, timing(100.0, 1.0)), plant=PlantNode(name="plant", model=model))
+    trace = run(free)
+    assert trace["plant.x"] == pytest.approx(3.0 * trace.time, abs=1e-12)
+    assert "plant.rate" not in trace
+    assert run(driven(model, timing(100.0, 1.0)))["plant.x"][-1] == pytest.approx(2.0)
+
+
 def test_latency_delays_the_writing_and_so_the_plant(tmp_path):
     late = timing(100.0, 1.0, latency=30_000_000)
     trace = run(driven(plant_of(tmp_path, INTEGRATOR), late))

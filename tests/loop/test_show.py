@@ -29,6 +29,7 @@ def test_a_wiring_is_shown_in_its_order_of_execution():
         "\n"
         "plant crane: Container crane, trolley with hanging load\n"
         "  power = controller.rules.power, held between writes\n"
+        "  wind stays at 0 m/s\n"
         "  integrated by dormand_prince, one scan every 0.05 s\n"
         "\n"
         "signals\n"

@@ -63,6 +63,23 @@ def test_a_signal_that_two_drive_is_refused_with_both(diagram):
     ) in refusal(replace(diagram, aliases=aliases))
 
 
+def test_an_input_must_be_connected_unless_the_plant_declares_it_optional(diagram):
+    plant = replace(diagram.plant, inputs={})
+    told = refusal(replace(diagram, plant=plant))
+    assert "the plant's input `crane.power` is not connected" in told
+    assert "crane.wind" not in told
+
+
+def test_an_input_left_unconnected_is_no_signal(diagram):
+    assert "crane.wind" not in wire(diagram).units
+    inputs = {"distance": Wire("crane.wind"), "angle": Wire("crane.angle")}
+    assert "there is no signal called `crane.wind`" in refusal(
+        with_node(diagram, "controller.rules", inputs=inputs)
+    )
+    blown = replace(diagram.plant, inputs={**diagram.plant.inputs, "wind": Wire("crane.speed")})
+    assert wire(replace(diagram, plant=blown)).units["crane.wind"].symbol == "m/s"
+
+
 def test_a_unit_of_another_kind_is_refused(diagram):
     inputs = {"distance": Wire("crane.angle"), "angle": Wire("crane.angle")}
     assert refusal(with_node(diagram, "controller.rules", inputs=inputs)) == (

@@ -1,13 +1,15 @@
 """The crane's mechanics against closed forms (Annex C model; tolerances ten times a careful run's error)."""
 
+from dataclasses import replace
 from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
 
+from fcl_sim.loop.diagram import Diagram, Wire
 from fcl_sim.loop.run import run
 from fcl_sim.loop.trace import Trace
-from tests.loop.diagrams import crane, crane_alone, timing
+from tests.loop.diagrams import constant, crane, crane_alone, timing
 
 G, L, TROLLEY, LOAD = 9.81, 10.0, 15_000.0, 20_000.0
 FREE = {"rolling_resistance": 0.0, "viscous_friction": 0.0, "damping": 0.0}
@@ -19,6 +21,13 @@ def pendulum_period(amplitude: float) -> float:
     while abs(a - b) > 1e-16:
         a, b = (a + b) / 2, sqrt(a * b)
     return 2 * pi * sqrt(L / G) / a
+
+
+def windy(diagram: Diagram, wind: float) -> Diagram:
+    """The same in a steady wind, in m/s."""
+    node = constant("wind", wind, "crane.speed", {"x": "m/s", "y": "m/s"})
+    plant = replace(diagram.plant, inputs={**diagram.plant.inputs, "wind": Wire("wind.y")})
+    return replace(diagram, plant=plant, nodes=(diagram.nodes[0], node))
 
 
 def rising_zeros(trace: Trace, name: str) -> np.ndarray:
@@ -53,6 +62,25 @@ def test_a_held_crane_swings_out_as_a_damped_oscillator():
     shape = np.cos(damped * t) + zeta / sqrt(1 - zeta**2) * np.sin(damped * t)
     expected = amplitude * np.exp(-zeta * natural * t) * shape
     assert np.abs(np.radians(trace["crane.angle"]) - expected).max() <= 2.5e-6 * amplitude
+
+
+def test_wind_holds_the_load_of_a_held_crane_out_of_plumb():
+    wind, damped = 20.0, {**HELD, "damping": 0.5}
+    blown = windy(crane_alone(timing(100.0, 60.0), damped, {"position": 0.0}), wind)
+    force = 1.25 / 2 * 38.0 * wind**2
+    angle = np.radians(run(blown)["crane.angle"][-1])
+    assert angle == pytest.approx(np.arctan(force / (LOAD * G)), abs=1e-9)
+    against = np.radians(run(windy(blown, -wind))["crane.angle"][-1])
+    assert against == pytest.approx(-angle, abs=1e-9)
+
+
+def test_wind_gives_a_free_crane_its_momentum():
+    wind = -8.0
+    trace = run(windy(crane_alone(timing(100.0, 20.0), FREE, {"position": 0.0}), wind))
+    v, theta, w = trace["crane.speed"], np.radians(trace["crane.angle"]), np.radians(trace["crane.rate"])
+    momentum = (TROLLEY + LOAD) * v + LOAD * L * w * np.cos(theta)
+    given = -1.25 / 2 * 38.0 * wind**2 * trace.time
+    assert np.abs(momentum - given).max() <= 1e-9 * abs(given[-1])
 
 
 def test_a_free_trolley_and_its_load_swing_faster_than_a_pendulum():
