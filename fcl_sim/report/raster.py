@@ -13,7 +13,7 @@ from fcl_sim.loop.trace import Values
 from fcl_sim.report import style
 
 SHADES = 255
-"""Colours of a map; one index is kept for what has none."""
+"""Colours of a map; one index is kept for the paper."""
 NONE = SHADES
 
 
@@ -21,7 +21,7 @@ def cells(x: Values, y: Values, values: Values, range_: tuple[float, float], siz
     """Return cells (m, n) between the edges `x` (n + 1,) and `y` (m + 1,) as a PNG of `size` pixels.
 
     The lowest row of values is that at the foot of the picture. What is not
-    finite has no colour.
+    finite has that of the paper.
     """
     rows, columns = (_at(edges, count) for edges, count in ((y, size[1]), (x, size[0])))
     low, high = range_
@@ -55,11 +55,11 @@ def _at(edges: Values, count: int) -> NDArray[np.intp]:
 
 @cache
 def _palette() -> bytes:
-    """Return the colours of a map, three bytes each: they rise evenly in grey too."""
+    """Return the colours of a map and that of the paper, three bytes each."""
     stops = np.array([[int(each[at : at + 2], 16) for at in (1, 3, 5)] for each in style.HEAT], dtype=float)
     places = np.linspace(0.0, len(stops) - 1.0, SHADES)
     shades = [np.interp(places, np.arange(len(stops)), channel) for channel in stops.T]
-    return np.stack(shades, axis=1).round().astype(np.uint8).tobytes() + b"\xff\xff\xff"
+    return np.stack(shades, axis=1).round().astype(np.uint8).tobytes() + bytes.fromhex(style.PAPER[1:])
 
 
 def _png(pixels: NDArray[np.uint8]) -> bytes:
@@ -67,8 +67,7 @@ def _png(pixels: NDArray[np.uint8]) -> bytes:
     height, width = pixels.shape
     header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
     lines = np.concatenate([np.zeros((height, 1), np.uint8), pixels], axis=1).tobytes()
-    clear = b"\xff" * SHADES + b"\x00"
-    parts = [(b"IHDR", header), (b"PLTE", _palette()), (b"tRNS", clear), (b"IDAT", zlib.compress(lines, 6))]
+    parts = [(b"IHDR", header), (b"PLTE", _palette()), (b"IDAT", zlib.compress(lines, 6))]
     return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(*each) for each in (*parts, (b"IEND", b"")))
 
 

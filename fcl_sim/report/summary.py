@@ -10,6 +10,8 @@ from fcl_sim.judge.verdict import Over, Status, Verdict, worst
 from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, value
 from fcl_sim.testbench import Outcome, Run
 
+AnyVerdict = Verdict | EnvelopeVerdict
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Row:
@@ -45,6 +47,31 @@ def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterato
             status=verdict.status,
             note=expectation(verdict),
         )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunRow:
+    """A run as one line: how many of its requirements, and of its envelope's, came out as they should."""
+
+    scenario: str
+    variant: str
+    requirements: str
+    envelope: str
+    status: Status
+
+
+def run_rows(outcomes: Sequence[Outcome]) -> Iterator[RunRow]:
+    """Yield every run, in the order of scenarios and variants."""
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            over = run.envelope
+            yield RunRow(
+                scenario=outcome.scenario.name,
+                variant=run.variant,
+                requirements=_tallied(run.verdicts),
+                envelope="" if over is None else f"{_good(over.verdicts)} at {counted(len(over), 'point')}",
+                status=run.verdict,
+            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,9 +173,6 @@ def sentence(outcomes: Sequence[Outcome]) -> str:
     return sentence_of(", ".join([*parts, counted(len(verdicts), "verdict")]), verdicts)
 
 
-AnyVerdict = Verdict | EnvelopeVerdict
-
-
 def verdicts_of(run: Run) -> list[AnyVerdict]:
     """Return the verdicts on a run, then those over its envelope."""
     return [*run.verdicts, *(run.envelope.verdicts if run.envelope is not None else ())]
@@ -172,14 +196,18 @@ def tally(verdicts: Sequence[AnyVerdict]) -> str:
 
 def run_tally(run: Run) -> str:
     """Return how many of a run's requirements came out as they should."""
-    verdicts = verdicts_of(run)
-    good = sum(verdict.status is Status.PASS for verdict in verdicts)
+    return _tallied(verdicts_of(run))
+
+
+def _tallied(verdicts: Sequence[AnyVerdict]) -> str:
     if not verdicts:
         return "none"
     missed = sum(expected_miss(verdict) for verdict in verdicts)
-    return f"{good} of {len(verdicts)}" + (
-        f", {counted(missed, 'expected miss', 'expected misses')}" if missed else ""
-    )
+    return _good(verdicts) + (f", {counted(missed, 'expected miss', 'expected misses')}" if missed else "")
+
+
+def _good(verdicts: Sequence[AnyVerdict]) -> str:
+    return f"{sum(verdict.status is Status.PASS for verdict in verdicts)} of {len(verdicts)}"
 
 
 def expected_miss(verdict: AnyVerdict) -> bool:

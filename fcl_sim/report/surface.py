@@ -18,7 +18,7 @@ BAR, BESIDE = 3.0, 3.0
 EDGE = 4.0
 """Room to the right of a map in mm, for half a label."""
 
-PIXELS = 5.0
+PIXELS = 4.0
 """Of a map, to the millimetre."""
 
 HALO = 2.6

@@ -37,8 +37,8 @@ STRETCH = 1.6
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
 
-BUCKETS = 900
-"""A line is thinned to its extremes in so many stretches: finer than any printer."""
+BUCKETS = 600
+"""A line is thinned to its extremes in so many stretches: each narrower than the line."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -216,7 +216,7 @@ def _written(mark: Text, line: str, at: tuple[int, int], given: str) -> str:
 
 
 def _path(axes: Axes, mark: Line | Shape, *, closed: bool = False) -> str:
-    """Return the outline of a mark; points that fall upon the one before are left out."""
+    """Return the outline of a mark, without the points that nothing would be missed of."""
     points = _on_page(
         axes, np.asarray(mark.x, dtype=np.float64), np.asarray(mark.y, dtype=np.float64), mark.parts
     )
@@ -225,10 +225,21 @@ def _path(axes: Axes, mark: Line | Shape, *, closed: bool = False) -> str:
     pieces = []
     for start, end in zip(ends[::2], ends[1::2], strict=True):
         piece = np.round(np.clip(points[start:end], -FAR, FAR) * UNIT).astype(np.int64)
-        apart = np.concatenate([[True], (np.diff(piece, axis=0) != 0).any(axis=1)])
-        kept = piece[apart] if apart.sum() > 1 else piece[:2]
-        pieces.append("M" + " ".join(map(str, kept.ravel().tolist())) + ("Z" if closed else ""))
+        pieces.append("M" + " ".join(map(str, _bent(piece).ravel().tolist())) + ("Z" if closed else ""))
     return "".join(pieces)
+
+
+def _bent(points: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return the points (n, 2) of a polyline at which it changes its direction, and its ends."""
+    moved = np.concatenate([[True], (np.diff(points, axis=0) != 0).any(axis=1)])
+    apart: NDArray[np.int64] = points[moved]
+    if len(apart) < 3:
+        return apart if len(apart) > 1 else points[:2]
+    steps = np.diff(apart, axis=0)
+    (x, y), (next_x, next_y) = steps[:-1].T, steps[1:].T
+    straight = (x * next_y == y * next_x) & (x * next_x + y * next_y > 0)
+    kept: NDArray[np.int64] = apart[np.concatenate([[True], ~straight, [True]])]
+    return kept
 
 
 def _on_page(axes: Axes, x: Values, y: Values, parts: bool) -> NDArray[np.float64]:  # noqa: FBT001

@@ -1,10 +1,13 @@
 """Marks → SVG: each in its place, in its order, cut at the edge unless it is free."""
 
+import itertools
 import re
 from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from fcl_sim.report.canvas import Dot, Figure, Image, Line, Text, joined, rectangle, span
 from fcl_sim.report.lettering import text_width
@@ -53,6 +56,35 @@ def test_a_line_is_interrupted_where_there_is_no_number():
     assert joined([np.zeros((2, 2)), np.ones((1, 2))])[0] == pytest.approx(
         [0.0, 0.0, np.nan, 1.0], nan_ok=True
     )
+
+
+@given(st.lists(st.tuples(st.integers(0, 8), st.integers(-1, 1)), min_size=2, max_size=40))
+def test_points_on_a_straight_way_are_left_out_and_nothing_is_missed(points):
+    figure, made = axes()
+    x, y = np.array(points, dtype=float).T
+    made.add(Line(x, y, "#000000"))
+    (path,) = paths(figure)
+    kept = [
+        (float(a) / 1000.0 - 1.0, 1.0 - (float(b) - 500.0) / 2000.0)
+        for a, b in re.findall(r"(\d+) (\d+)", path)
+    ]
+    assert (kept[0], kept[-1]) == (points[0], points[-1])
+    assert way(kept) == way(points)
+
+
+def way(points):
+    """Return the steps of a polyline, those in one direction added up."""
+    steps: list[tuple[float, float]] = []
+    for (x, y), (to_x, to_y) in itertools.pairwise(points):
+        step = (to_x - x, to_y - y)
+        if step == (0.0, 0.0):
+            continue
+        last = steps[-1] if steps else (0.0, 0.0)
+        if last[0] * step[1] == last[1] * step[0] and last[0] * step[0] + last[1] * step[1] > 0.0:
+            steps.pop()
+            step = (last[0] + step[0], last[1] + step[1])
+        steps.append(step)
+    return steps
 
 
 def test_points_that_fall_upon_each_other_are_one():
