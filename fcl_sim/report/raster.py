@@ -46,6 +46,12 @@ def contours(x: Values, y: Values, values: Values, levels: Sequence[float]) -> l
     return [np.asarray(line, dtype=np.float64) for level in levels for line in made.lines(level)]
 
 
+def shade(part: float) -> str:
+    """Return the colour of a map at a part of its range, from 0 to 1."""
+    at = 3 * round(min(max(part, 0.0), 1.0) * (SHADES - 1))
+    return f"#{_palette()[at : at + 3].hex()}"
+
+
 def _at(edges: Values, count: int) -> NDArray[np.intp]:
     """Return in which cell the middle of each of `count` pixels lies."""
     middles = edges[0] + (np.arange(count) + 0.5) * ((edges[-1] - edges[0]) / count)

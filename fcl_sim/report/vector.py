@@ -28,7 +28,7 @@ HATCH = 1.25
 """Distance of the lines of a hatching along the axes, in mm."""
 
 ROUND = 'stroke-linecap="round" stroke-linejoin="round"'
-COMMON = f'font-family="{style.FONT}" fill="none" {ROUND} xml:space="preserve"'
+COMMON = f'font-family="{style.FONT}, Verdana, sans-serif" fill="none" {ROUND} xml:space="preserve"'
 
 RIM = 0.9
 """Width of the edge of a dot that is filled otherwise, in points."""
