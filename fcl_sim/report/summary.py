@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fcl_sim.envelope.envelope import Envelope
 from fcl_sim.judge.envelope import EnvelopeVerdict, without_figure
 from fcl_sim.judge.verdict import Over, Status, Verdict, worst
-from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, value
+from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, one_line, value
 from fcl_sim.testbench import Outcome, Run
 
 AnyVerdict = Verdict | EnvelopeVerdict
@@ -15,7 +15,8 @@ AnyVerdict = Verdict | EnvelopeVerdict
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Row:
-    """One verdict as a table shows it; `note` says how an expected miss came out."""
+    """One verdict as a table shows it; `note` says how a miss that is expected came out, or why
+    there is no figure."""
 
     scenario: str
     variant: str
@@ -45,8 +46,14 @@ def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterato
             bound=bound(verdict.requirement),
             value=value(verdict),
             status=verdict.status,
-            note=expectation(verdict),
+            note=expectation(verdict) or _why(verdict),
         )
+
+
+def _why(verdict: Verdict) -> str:
+    """Return why there is no figure, where there is none and the verdict is not green."""
+    missing = verdict.status is not Status.PASS and verdict.value is None
+    return one_line(verdict.reason).rstrip(".") if missing else ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -52,6 +52,7 @@ def write(
         with workplace(folder) as work:
             shelf = Shelf()
             data = report_data(outcomes, shelf.add, known)
+            done("drawing")
             (work / RESULTS).write_text(results.text(outcomes, known), encoding="utf-8")
             (work / "report.json").write_text(json.dumps(data), encoding="utf-8")
             done("writing")
