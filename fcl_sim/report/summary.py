@@ -15,8 +15,10 @@ AnyVerdict = Verdict | EnvelopeVerdict
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Row:
-    """One verdict as a table shows it; `note` says how a miss that is expected came out, or why
-    there is no figure."""
+    """One verdict as a table shows it.
+
+    `note` says how a miss that is expected came out, or why there is no figure.
+    """
 
     scenario: str
     variant: str
@@ -53,7 +55,7 @@ def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterato
 def _why(verdict: Verdict) -> str:
     """Return why there is no figure, where there is none and the verdict is not green."""
     missing = verdict.status is not Status.PASS and verdict.value is None
-    return one_line(verdict.reason).rstrip(".") if missing else ""
+    return one_line(verdict.reason).partition(";")[0].rstrip(".") if missing else ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

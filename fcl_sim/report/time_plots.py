@@ -41,6 +41,10 @@ BUCKETS = 600
 """A line is thinned to its extremes in so many stretches: each narrower than the line."""
 
 
+STEP = 0.9
+"""What changes by this part of a stretch's range from one sample to the next is a step."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Shown:
     """One run of a time plot: label, trace, planned duration in seconds, verdicts with their bands."""
@@ -95,7 +99,10 @@ def lanes(run: Shown) -> list[Lane]:
 
 
 def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Values, Values]:
-    """Return the points (m,) of a line (n,) that the eye sees: each bucket's first, least and largest."""
+    """Return the points (m,) of a line (n,) that the eye sees.
+
+    They are each bucket's first, least and largest, and of a step the point before it, so that it is upright.
+    """
     if len(time) <= 3 * buckets:
         return time, values
     width = -(-len(time) // buckets)
@@ -105,7 +112,12 @@ def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Value
     starts = np.arange(len(pieces)) * width
     least = np.where(np.isnan(pieces), np.inf, pieces).argmin(axis=1)
     largest = np.where(np.isnan(pieces), -np.inf, pieces).argmax(axis=1)
-    chosen = np.unique(np.concatenate([starts, starts + least, starts + largest, [len(time) - 1]]))
+    extremes = np.concatenate([starts + least, starts + largest])
+    flat = pieces.ravel()
+    span = flat[starts + largest] - flat[starts + least]
+    jump = np.abs(flat[extremes] - flat[extremes - 1])
+    before = extremes[(extremes > 0) & (jump >= STEP * np.tile(span, 2))] - 1
+    chosen = np.unique(np.concatenate([starts, extremes, before, [len(time) - 1]]))
     return time[chosen], values[chosen]
 
 
