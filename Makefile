@@ -71,7 +71,7 @@ fuzz: $(fuzz_stamp) ## look for texts that break the FCL reader, for SECONDS=360
 	@$(python) tests/fuzz/fuzz_fcl.py $(SECONDS) build/fuzz
 
 images: $(run_stamp) ## draw the README's picture anew
-	@$(python) -m fcl_sim run scenarios/crane/transfer.toml --reports build/images
+	@$(python) -m fcl_sim run scenarios/crane/transfer.toml --png --reports build/images
 	@mkdir -p docs/images && cp build/images/crane/transfer/all-runs.png docs/images/crane.png
 
 lock: ## write the locks from pyproject.toml; with UPGRADE=--upgrade take the newest releases

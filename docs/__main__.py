@@ -4,6 +4,8 @@ from pathlib import Path
 
 from docs.blocks import page as blocks
 from docs.conformance import page as conformance
+from docs.gallery import images
+from docs.gallery import page as gallery
 from docs.metrics import page as metrics
 from docs.results import page as results
 from fcl_sim.diagnostics.page import FAMILIES, frame, page
@@ -17,15 +19,20 @@ there; "among the rules", that of the rules. Those with a FUNCTION_BLOCK of thei
 
 
 def pages() -> dict[str, str]:
-    """Return every generated page by its path below this folder."""
+    """Return every generated page and picture by its path below this folder."""
     written = {f"diagnostics/{_file(codes)}": _family(title, codes) for title, codes in families()}
-    return {
-        "blocks.md": blocks(),
-        "conformance.md": conformance(),
-        "metrics.md": metrics(),
-        "results.md": results(),
-        "diagnostics/README.md": _index(),
-    } | written
+    return (
+        {
+            "blocks.md": blocks(),
+            "characteristics.md": gallery(),
+            "conformance.md": conformance(),
+            "metrics.md": metrics(),
+            "results.md": results(),
+            "diagnostics/README.md": _index(),
+        }
+        | written
+        | images()
+    )
 
 
 def _file(codes: tuple[str, ...]) -> str:
@@ -67,7 +74,7 @@ def main() -> None:
     for stale in set((FOLDER / "diagnostics").glob("*.md")) - set(wanted):
         stale.unlink()
     for file, text in wanted.items():
-        file.parent.mkdir(exist_ok=True)
+        file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text, "utf-8")
 
 

@@ -20,6 +20,7 @@ COMMANDS = {
     "check": "Read rule bases and list what is wrong with them.",
     "conformance": "Print Tables 8 to 11 of IEC 61131-7: what fcl_sim has, or what a rule base needs.",
     "fmt": "Write rule bases in the canonical form of the standard.",
+    "matrix": "Put the rules of a table into a rule base, in place of its own.",
     "explain": "Tell what the code of a finding means, why it is a fault, and how it is mended.",
     "show": "Print what a file becomes on its way: tokens, tree, model, wiring ...",
     "schema": "Print the JSON Schema of scenario files, of controller files or of results.",

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from time import perf_counter
 
 import click
 
@@ -14,18 +13,21 @@ from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.outputs import Outputs
 from fcl_sim.cli.progress import progress
 from fcl_sim.cli.regressions import exit_code, print_regressions
-from fcl_sim.cli.table import console, print_envelopes, print_verdicts
+from fcl_sim.cli.stopwatch import Stopwatch
+from fcl_sim.cli.table import console, print_envelopes, print_runs, print_verdicts
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.jit import cache_folder
+from fcl_sim.judge.verdict import Status
 from fcl_sim.loop import trace_file
 from fcl_sim.report import coverage_words, results, summary, writer
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.overrides import setting
-from fcl_sim.testbench import Outcome
+from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.cover import LEAST
 from fcl_sim.verify.coverage import Coverage, Item
 
 FORMATS = ("text", "json", "github")
+JUDGING = "reading and judging"
 FILE: click.Path = click.Path(path_type=Path, dir_okay=False)
 
 
@@ -50,6 +52,8 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 )
 @click.option("--reports", type=click.Path(path_type=Path), metavar="DIR", help="Write the reports there.")
 @click.option("--no-report", is_flag=True, help="Write no reports.")
+@click.option("--png", is_flag=True, help="Write the pictures of the report as PNG, too.")
+@click.option("-v", "--verbose", is_flag=True, help="Print every verdict, of however many scenarios.")
 @click.option(
     "--format",
     "form",
@@ -99,6 +103,8 @@ def command(  # noqa: PLR0913  an option each
     overrides: dict[str, object],
     reports: Path | None,
     no_report: bool,
+    png: bool,
+    verbose: bool,
     form: str | None,
     older: str | None,
     show_coverage: bool,
@@ -117,19 +123,20 @@ def command(  # noqa: PLR0913  an option each
     trace = targets.pop("trace")
     outputs = Outputs.of(targets, form)
     as_json = form == "json"
-    begun = perf_counter()
-    outcomes, faults = _simulate(files, overrides)
+    watch = Stopwatch()
+    outcomes, faults = _simulate(files, overrides, watch)
     if older is not None and not faults:
         outcomes = against(outcomes, older)
-    simulated = perf_counter()
+        watch.lap("the older version")
     if not as_json:
-        _print(outcomes)
+        _print(outcomes, verbose=verbose)
         if older is not None:
             print_against(outcomes, older, console())
     written = outputs.write(outcomes, faults)
     if faults:
         raise InputFault(faults)  # no report either: it would not say what is missing
     covered = testbench.coverage(outcomes, least)
+    watch.lap("coverage")
     check_waivers(covered)
     if as_json:
         click.echo(results.text(outcomes, covered), nl=False)
@@ -137,11 +144,11 @@ def command(  # noqa: PLR0913  an option each
         _print_coverage(covered, whole=show_coverage)
     written += _write_traces(outcomes, trace) if trace else []
     if folder:
-        written += _write_report(outcomes, folder, covered)[:1]
+        with progress("writing reports") as advance:
+            written += writer.write(outcomes, folder, advance, covered, png=png, lap=watch.lap)[:1]
     for file in written:
         click.echo(f"written: {shown(file)}", err=as_json)
-    seconds = (simulated - begun, perf_counter() - simulated)
-    click.echo("simulation {:.1f} s, writing {:.1f} s".format(*seconds), err=as_json)
+    click.echo(str(watch), err=as_json)
     code = exit_code(outcomes)
     if code is Exit.GREEN and required and not met(covered, Item(required)):
         return Exit.VERDICT
@@ -158,7 +165,7 @@ def _print_coverage(covered: Sequence[Coverage], *, whole: bool) -> None:
 
 
 def _simulate(
-    files: Sequence[Path], overrides: Mapping[str, object]
+    files: Sequence[Path], overrides: Mapping[str, object], watch: Stopwatch
 ) -> tuple[list[Outcome], dict[Diagnostic, None]]:
     """Run every scenario; return what came of those that could be run, and each fault of the others once."""
     outcomes: list[Outcome] = []
@@ -168,9 +175,16 @@ def _simulate(
             advance(done, len(files), file.stem)
             try:
                 outcomes.append(testbench.run(file, overrides))
+                watch.lap(JUDGING)
+                watch.move(JUDGING, "simulating", sum(map(_simulated, outcomes[-1].variants.values())))
             except InputFault as fault:
                 faults.update(dict.fromkeys(each.within(str(file)) for each in fault.diagnostics))
     return outcomes, faults
+
+
+def _simulated(run: Run) -> float:
+    """Return the seconds of a run and its envelope."""
+    return run.seconds + (run.envelope.seconds if run.envelope is not None else 0.0)
 
 
 def _is_warm() -> bool:
@@ -179,14 +193,23 @@ def _is_warm() -> bool:
     return folder is not None and any(folder.iterdir())
 
 
-def _print(outcomes: Sequence[Outcome]) -> None:
-    print_verdicts(list(summary.rows(outcomes)), console())
+def _print(outcomes: Sequence[Outcome], *, verbose: bool) -> None:
+    """Print every verdict of one scenario; of several their runs, and what is not green, unless `verbose`."""
+    brief = len(outcomes) > 1 and not verbose
+    rows, over = list(summary.rows(outcomes)), list(summary.envelope_rows(outcomes))
+    if brief:
+        print_runs(list(summary.run_rows(outcomes)), console())
+        rows = [row for row in rows if row.status is not Status.PASS]
+        over = [row for row in over if row.status is not Status.PASS]
+        click.echo()
+    if rows or not brief:
+        print_verdicts(rows, console())
     for ending in summary.endings(outcomes):
         click.echo(ending)
-    over = list(summary.envelope_rows(outcomes))
     if over:
         click.echo()
         print_envelopes(over, console())
+    if over or (brief and rows):
         click.echo()
     if outcomes:
         click.echo(summary.sentence(outcomes))
@@ -202,8 +225,3 @@ def _write_traces(outcomes: Sequence[Outcome], file: Path) -> list[Path]:
         trace_file.write(run.trace, path)
         written.append(path)
     return written
-
-
-def _write_report(outcomes: Sequence[Outcome], folder: Path, covered: Sequence[Coverage]) -> list[Path]:
-    with progress("writing reports") as advance:
-        return writer.write(outcomes, folder, advance, covered)

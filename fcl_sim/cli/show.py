@@ -7,6 +7,7 @@ import click
 
 from fcl_sim.block import load_all
 from fcl_sim.cli.doors import Exit, say
+from fcl_sim.cli.matrix import matrix_text
 from fcl_sim.diagnostics import Diagnostic
 from fcl_sim.diagnostics.render import render_all
 from fcl_sim.diagnostics.spelling import listed
@@ -21,7 +22,8 @@ from fcl_sim.scenario.model import BASE
 from fcl_sim.scenario.reader import read
 from fcl_sim.scenario.show import show_scenario
 
-OF_RULE_BASE = ("tokens", "tree", "model", "program")
+OF_RULE_BASE = ("tokens", "tree", "model", "matrix", "program")
+FORMS = ("text", "csv", "toml")
 OF_SCENARIO = ("scenario", "wiring", "tape")
 
 
@@ -35,11 +37,14 @@ OF_SCENARIO = ("scenario", "wiring", "tape")
     metavar="OUT",
     help="Draw the wiring, as OUT.svg, OUT.png or OUT.pdf.",
 )
-def command(stage: str, file: Path, variant: str, figure: Path | None) -> Exit:
+@click.option(
+    "--as", "form", type=click.Choice(FORMS), help="How a matrix is printed; text where nothing is said."
+)
+def command(stage: str, file: Path, variant: str, figure: Path | None, form: str | None) -> Exit:
     """Print what a file becomes on its way: tokens, tree, model, wiring ...
 
     \b
-    Of FILE.fcl:   tokens, tree, model, program
+    Of FILE.fcl:   tokens, tree, model, matrix, program
     Of FILE.toml:  scenario, wiring, tape
     """  # noqa: D301  the backslash is click's mark for lines that are kept
     if (file.suffix == ".toml") != (stage in OF_SCENARIO) and file.suffix in {".toml", ".fcl"}:
@@ -49,6 +54,11 @@ def command(stage: str, file: Path, variant: str, figure: Path | None) -> Exit:
         if stage != "wiring":
             raise click.UsageError(f"there is no figure of a {stage}, but of a wiring")
         _draw(file, variant, figure)
+    if form is not None and stage != "matrix":
+        raise click.UsageError(f"there is one form of {stage}; --as is for a matrix")
+    if stage == "matrix":
+        click.echo(matrix_text(file, form or "text"), nl=False)
+        return Exit.GREEN
     text, findings = _shown(stage, file, variant)
     click.echo(text)
     if findings:

@@ -8,11 +8,12 @@ from rich.table import Table
 from rich.text import Text
 
 from fcl_sim.judge.verdict import Status
-from fcl_sim.report.summary import EnvelopeRow, Row
+from fcl_sim.report.summary import EnvelopeRow, Row, RunRow
 from fcl_sim.report.words import counted
 
 HEADINGS = ("scenario", "variant", "requirement", "asked", "measured", "verdict")
 OF_ENVELOPES = ("scenario", "variant", "requirement", "asked", "as required", "verdict", "worst")
+OF_RUNS = ("scenario", "variant", "requirements", "over its envelope", "verdict")
 OF_RUN = 2
 """How many columns say which run it is; the rest is about the requirement."""
 MEASURED = ("measured", "as required")
@@ -35,6 +36,27 @@ def console() -> Console:
     if not found.is_terminal:
         found.width = PIPE_WIDTH
     return found
+
+
+def print_runs(rows: Sequence[RunRow], console: Console) -> None:
+    """Print a line for each run: how many requirements are met, of how many, and its verdict.
+
+    Where the terminal is too narrow, scenarios stand on lines of their own.
+    """
+    headings = OF_RUNS if any(row.envelope for row in rows) else (*OF_RUNS[:3], OF_RUNS[-1])
+    told = _told_once([(row.scenario, row.variant) for row in rows])
+    cells = []
+    for (scenario, _), row in zip(told, rows, strict=True):
+        about = [row.requirements, row.envelope] if len(headings) == len(OF_RUNS) else [row.requirements]
+        cells.append([*(Text(each) for each in (scenario, row.variant, *about)), _coloured(row.status)])
+    if cells and sum(_widths(headings, cells)) <= console.width:
+        console.print(_table(headings, _widths(headings, cells), cells))
+        return
+    own = _widths(headings[1:], [row[1:] for row in cells])
+    for _, group in groupby(zip(rows, cells, strict=True), key=lambda each: each[0].scenario):
+        part = [row for _, row in group]
+        console.print(Text(part[0][0].plain, style="bold"))
+        console.print(_table(headings[1:], own, [row[1:] for row in part], show_header=False))
 
 
 def print_verdicts(rows: Sequence[Row], console: Console) -> None:

@@ -1,8 +1,8 @@
 """The vocabulary of findings: every code, in one table.
 
 FCL1xx scanning, FCL2xx parsing, FCL3xx resolving, FCL4xx what the engine
-cannot evaluate; JDG judging, SCN scenarios, PLT plants, RUN the run and its surroundings,
-WIR the wiring of a loop.
+cannot evaluate; JDG judging, MTX rule bases as matrices, SCN scenarios, PLT plants,
+RUN the run and its surroundings, WIR the wiring of a loop.
 """
 
 CODES: dict[str, str] = {
@@ -127,6 +127,12 @@ CODES: dict[str, str] = {
     "JDG405": "nothing is required of a run",
     "JDG406": "a run has no baseline",
     "JDG407": "a run leaves its baseline",
+    "MTX101": "the rules of a block are no matrix",
+    "MTX102": "a file of matrices is not TOML",
+    "MTX103": "a table is not a matrix",
+    "MTX104": "a matrix names a variable or term that does not exist",
+    "MTX105": "a cell of a matrix is no conclusion",
+    "MTX106": "rules stand in no cell of a matrix",
     "PLT101": "there is no plant of that name",
     "PLT102": "a plant's file cannot be read",
     "PLT201": "a plant file declares no plant",

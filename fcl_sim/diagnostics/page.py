@@ -22,6 +22,7 @@ FAMILIES = {
     "FCL4": "Rule bases: evaluation",
     "FCL5": "Rule bases: levels and conformance",
     "JDG": "Requirements and traces",
+    "MTX": "Rule bases as matrices",
     "PLT": "Plants",
     "RUN": "The run and its surroundings",
     "SCN": "Scenarios and controllers",
@@ -30,7 +31,7 @@ FAMILIES = {
 }
 """By the beginning of their codes; those without a code are not shown."""
 
-LANGUAGES = {"FCL": "fcl", "PLT": "python", "RUN": "console"}
+LANGUAGES = {"FCL": "fcl", "MTX": "csv", "PLT": "python", "RUN": "console"}
 """What the examples are written in; TOML where nothing is said."""
 
 _FOLDER = "pages"

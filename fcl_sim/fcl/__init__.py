@@ -10,6 +10,7 @@ from fcl_sim.fcl.comments import Comments, gather_comments
 from fcl_sim.fcl.files import open_source, read_file
 from fcl_sim.fcl.parser import Parsing, parse
 from fcl_sim.fcl.reading import Reading, read
+from fcl_sim.fcl.replace_rules import replace_rules
 from fcl_sim.fcl.resolver import Resolution, resolve
 from fcl_sim.fcl.rewrite import rewrite
 from fcl_sim.fcl.scanner import scan
@@ -30,6 +31,7 @@ __all__ = [
     "parse",
     "read",
     "read_file",
+    "replace_rules",
     "resolve",
     "rewrite",
     "scan",

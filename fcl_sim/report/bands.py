@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from fcl_sim.judge.verdict import Band, Corridor
 from fcl_sim.loop.trace import Values
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Axes, Line, Text, between, rectangle, span
 from fcl_sim.report.words import number, one_line
 
 FAR = 1.5
@@ -42,59 +42,53 @@ def focus_on(bands: Mapping[Band, Sequence[str]], values: Values) -> tuple[float
     return low - 0.6 * (high - low), high + 0.6 * (high - low)
 
 
-def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]], height: float) -> None:
-    """Shade what is allowed, draw the bounds, name the requirements at the right; `height` in mm."""
-    low, high = axes.get_ylim()
+DASHED: style.Dashes = (4, 2)
+"""Stroke of a bound."""
+
+
+def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]]) -> None:
+    """Shade what is allowed, draw the bounds, name the requirements at the right."""
+    low, high = axes.y
     labels: dict[float, list[str]] = {}
     for band, ids in bands.items():
         bottom = low if band.low is None else max(band.low, low)
         top = high if band.high is None else min(band.high, high)
         if bottom < top:
-            axes.fill_between([band.start, band.end], bottom, top, color=style.BAND, linewidth=0, zorder=1)
+            axes.add(rectangle((band.start, band.end), (bottom, top), style.BAND, z=1))
         limits = [limit for limit in (band.low, band.high) if limit is not None]
         for limit in limits:
             if low <= limit <= high:
-                span = [band.start, band.end]
-                axes.plot(span, [limit, limit], color=style.BOUND, linewidth=0.7, dashes=(4, 2), zorder=2)
+                axes.add(Line([band.start, band.end], [limit, limit], style.BOUND, 0.7, DASHED))
         if limits:
             labels.setdefault(sum(limits) / len(limits), []).extend(ids)
-    _name_bounds(axes, labels, height)
+    _name_bounds(axes, labels)
 
 
 def draw_corridors(axes: Axes, corridors: Sequence[Corridor]) -> None:
     """Shade what lies between the edges of corridors, and draw them; an edge that is none is not drawn."""
-    bottom, top = axes.get_ylim()
+    bottom, top = axes.y
     for corridor in corridors:
         time = np.array(corridor.ticks) / 1e9
         low, high = np.array(corridor.low), np.array(corridor.high)
         under = np.clip(np.where(np.isnan(low), bottom, low), bottom, top)
         over = np.clip(np.where(np.isnan(high), top, high), bottom, top)
-        axes.fill_between(time, under, over, color=style.BAND, linewidth=0, zorder=1)
+        axes.add(between(time, under, over, style.BAND, z=1))
         for edge in (low, high):
-            axes.plot(time, edge, color=style.BOUND, linewidth=0.7, dashes=(4, 2), zorder=2)
+            axes.add(Line(time, edge, style.BOUND, 0.7, DASHED))
 
 
-def _name_bounds(axes: Axes, labels: Mapping[float, Sequence[str]], height: float) -> None:
+def _name_bounds(axes: Axes, labels: Mapping[float, Sequence[str]]) -> None:
     """Write the requirements beside their bounds, moved apart where they would meet."""
-    low, high = axes.get_ylim()
+    low, high = axes.y
     wanted = sorted(labels)
     places = [min(max((middle - low) / (high - low), 0.0), 1.0) for middle in wanted]
-    for at, middle in zip(apart(places, LABEL / height), wanted, strict=True):
+    for at, middle in zip(apart(places, LABEL / axes.height), wanted, strict=True):
         text = one_line(", ".join(labels[middle]))
         if not low <= middle <= high:
             arrow = "\N{DOWNWARDS ARROW}" if middle < low else "\N{UPWARDS ARROW}"
             text = f"{text} {arrow}{number(middle, 3)}"
-        axes.annotate(
-            style.cut(text, RIGHT, style.SMALL),
-            (1, at),
-            (4, 0),
-            "axes fraction",
-            "offset points",
-            va="center",
-            color=style.BOUND,
-            fontsize=style.SMALL,
-            annotation_clip=False,
-        )
+        shown = lettering.cut(text, RIGHT, style.SMALL)
+        axes.add(Text(1.0, at, shown, style.SMALL, style.BOUND, up="center", shift=(1.4, 0.0), parts=True))
 
 
 def apart(places: Sequence[float], least: float) -> list[float]:
@@ -115,9 +109,9 @@ def draw_violations(
     """Shade each violated interval; of `run` (index, colour) among several, a bar along the upper edge."""
     for start, end in violations:
         if run is None:
-            axes.axvspan(start, end, facecolor=style.VIOLATION, linewidth=0, alpha=0.6, zorder=1.5)
-            axes.axvspan(start, end, 0.955, 1.0, facecolor=style.VIOLATION_EDGE, linewidth=0, zorder=4)
+            axes.add(span(axes, (start, end), style.VIOLATION, opacity=0.6, z=1.5))
+            axes.add(span(axes, (start, end), style.VIOLATION_EDGE, (0.955, 1.0), z=4))
             continue
         index, colour = run
         top = 1.0 - 0.05 * index
-        axes.axvspan(start, end, top - 0.035, top, facecolor=colour, linewidth=0, zorder=4)
+        axes.add(span(axes, (start, end), colour, (top - 0.035, top), z=4))

@@ -2,18 +2,17 @@
 
 from collections.abc import Sequence
 from functools import partial
+from math import isfinite
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from fcl_sim.envelope.envelope import Envelope
 from fcl_sim.envelope.grid import written
 from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Over, Status
-from fcl_sim.loop.trace import Values
-from fcl_sim.report import alt, style, summary
+from fcl_sim.report import alt, lettering, style, summary
+from fcl_sim.report.canvas import Axes, Dot, Figure, Text, span, upright
 from fcl_sim.report.frame import draw_frame, room_below, ticks
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.time_plots import Shown, lanes, pages, time_plot
@@ -126,17 +125,15 @@ def _alt(envelope: Envelope, verdict: EnvelopeVerdict) -> str:
 
 
 def _draw(shown: Sequence[EnvelopeVerdict]) -> Figure:
-    with style.styled():
-        step = HEADING + LANE + room_below()
-        picture = style.blank(step * len(shown) + 1.0)
-        for index, verdict in enumerate(shown):
-            top = index * step + HEADING
-            axes = style.place(picture, LEFT, top, ACROSS, LANE)
-            low, high = _limits(verdict)
-            axes.set(xlim=(low, high), ylim=(-1.0, float(verdict.points)))
-            _draw_points(axes, verdict, (low, high))
-            draw_frame(axes, ticks(low, high, 9), [])
-            _heading(axes, verdict)
+    step = HEADING + LANE + room_below()
+    picture = Figure(step * len(shown) + 1.0)
+    for index, verdict in enumerate(shown):
+        axes = picture.place(LEFT, index * step + HEADING, ACROSS, LANE, verdict.requirement.id)
+        low, high = axes.x = _limits(verdict)
+        axes.y = (-1.0, float(verdict.points))
+        _draw_points(axes, verdict)
+        draw_frame(axes, ticks(low, high, 9), [])
+        _heading(axes, verdict)
     return picture
 
 
@@ -158,22 +155,26 @@ def _limits(verdict: EnvelopeVerdict) -> tuple[float, float]:
     return low - room, high + room
 
 
-def _draw_points(axes: Axes, verdict: EnvelopeVerdict, limits: tuple[float, float]) -> None:
+def _draw_points(axes: Axes, verdict: EnvelopeVerdict) -> None:
     low, high = _allowed(verdict)
-    start, end = limits[0] if low is None else low, limits[1] if high is None else high
-    axes.axvspan(start, end, facecolor=style.BAND, linewidth=0, zorder=1)
-    for edge in (low, high):
-        if edge is not None:
-            axes.axvline(edge, color=style.BOUND, linewidth=0.8, linestyle=(0, (4, 2)), zorder=2)
-    place: Values = np.arange(verdict.points, dtype=np.float64)
-    missed = np.array([each is not Status.PASS for each in verdict.statuses])
-    for chosen, colour in ((~missed, style.COLOURS[0]), (missed, style.VIOLATION_EDGE)):
-        axes.plot(verdict.values[chosen], place[chosen], "o", color=colour, markersize=1.5, zorder=4)
+    band = (axes.x[0] if low is None else low, axes.x[1] if high is None else high)
+    axes.add(span(axes, band, style.BAND, z=1))
+    axes.add(
+        *(
+            upright(axes, edge, style.BOUND, width=0.8, dashes=(4, 2))
+            for edge in (low, high)
+            if edge is not None
+        )
+    )
+    for place, (value, status) in enumerate(zip(verdict.values.tolist(), verdict.statuses, strict=True)):
+        colour = style.COLOURS[0] if status is Status.PASS else style.VIOLATION_EDGE
+        if isfinite(value):
+            axes.add(Dot(value, place, "circle", colour, 2.2, z=4))
     if verdict.worst is not None and np.isfinite(verdict.values[verdict.worst]):
-        at = (verdict.values[verdict.worst], place[verdict.worst])
-        axes.plot(*at, "o", markersize=5.0, markerfacecolor="none", color=style.INK, zorder=5, clip_on=False)
+        at = (float(verdict.values[verdict.worst]), verdict.worst)
+        axes.add(Dot(*at, "circle", style.INK, 5.0, "none", z=5))
     if verdict.requirement.over is Over.MEAN and verdict.value is not None:
-        axes.axvline(verdict.value, color=style.INK, linewidth=1.0, zorder=3)
+        axes.add(upright(axes, verdict.value, style.INK, z=3))
 
 
 def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
@@ -184,11 +185,9 @@ def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
         else asked.metric.replace("_", " ") or "distance from the edges"
     )
     text = f"{one_line(asked.id)}   {bracketed(name, asked.unit)}, {bound(asked)}"
-    height = style.size(axes)[1]
-    spot: dict[str, Any] = {"transform": axes.transAxes, "va": "bottom"}
-    axes.text(0.0, 1.0 + 0.8 / height, style.cut(text, 0.7 * ACROSS), ha="left", **spot)
     without = int(np.isnan(verdict.values).sum())
     tail = f"; {without} without a figure" if without else ""
-    axes.text(
-        1.0, 1.0 + 0.8 / height, f"{summary.passed(verdict)}{tail}", ha="right", color=style.FAINT, **spot
-    )
+    spot: dict[str, Any] = {"up": "bottom", "shift": (0.0, 0.8), "parts": True}
+    axes.add(Text(0.0, 1.0, lettering.cut(text, 0.7 * ACROSS), **spot))
+    told = f"{summary.passed(verdict)}{tail}"
+    axes.add(Text(1.0, 1.0, told, colour=style.FAINT, across="right", **spot))

@@ -1,17 +1,13 @@
-"""The frame of axes: ticks, their labels, a faint grid, the names of both axes.
-
-Drawn as a few lines and texts: matplotlib's own ticks are five artists each,
-and took most of the time of a report.
-"""
+"""The frame of axes: ticks, their labels, a faint grid, the names of both axes."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil, floor, inf, log10
 
-from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
-from matplotlib.ticker import MaxNLocator
+import numpy as np
 
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Across, Axes, Line, Text, Up, joined
 from fcl_sim.report.words import number
 
 TICK = 0.8
@@ -20,6 +16,8 @@ PAD = 0.7
 LINE = 3.4
 """Height of a line of a label in mm."""
 DIGITS = 6
+STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+"""What ticks may be apart, times a power of ten."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,16 +32,19 @@ Ticks = Sequence[Tick]
 
 
 def ticks(low: float, high: float, most: int) -> list[Tick]:
-    """Return at most about `most` round ticks from `low` to `high`."""
-    slack = 1e-9 * (high - low)
-    found = MaxNLocator(most, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
-    places = [float(at) for at in found if low - slack <= at <= high + slack]
-    return [Tick(at, number(at, DIGITS)) for at in places]
+    """Return round ticks from `low` to `high`, `most` intervals or fewer."""
+    span = high - low
+    if not 0.0 < span < inf:
+        return [Tick(low, number(low, DIGITS))]
+    power = 10.0 ** floor(log10(span / most))
+    step = next(each * power for each in STEPS if each * power * most >= span * (1.0 - 1e-9))
+    first, last = ceil(low / step - 1e-9), floor(high / step + 1e-9)
+    return [Tick(index * step, number(index * step, DIGITS)) for index in range(first, last + 1)]
 
 
 def room_left(up: Ticks, label: str = "") -> float:
     """Return the mm that ticks, their labels and the lines of the axis' name take on the left."""
-    widest = max((style.text_width(each.label, style.SMALL) for each in up), default=0.0)
+    widest = max((lettering.text_width(each.label, style.SMALL) for each in up), default=0.0)
     return TICK + 2 * PAD + widest + (PAD + LINE * lines(label) if label else 0.0)
 
 
@@ -67,9 +68,8 @@ def draw_frame(
     grid: bool = True,
 ) -> None:
     """Frame axes whose limits are set: grid, ticks, and with `labels` the labels of those below."""
-    axes.set_axis_off()
-    width, height = style.size(axes)
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    width, height = axes.width, axes.height
+    (left, right), (low, high) = axes.x, axes.y
     xs = [(each.at - left) / (right - left) for each in across]
     ys = [(each.at - low) / (high - low) for each in up]
     if grid:
@@ -78,40 +78,41 @@ def draw_frame(
     _lines(axes, [*outside, ((0, 0), (1, 0)), ((0, 0), (0, 1))], style.FAINT, 0.5, 2.5)
     if labels:
         for x, each in zip(xs, across, strict=True):
-            _text(axes, (x, -(TICK + PAD) / height), each.label, ha="center", va="top")
+            axes.add(_label(x, -(TICK + PAD) / height, each.label, across="center", up="top"))
     for y, each in zip(ys, up, strict=True):
-        _text(axes, (-(TICK + PAD) / width, y), each.label, ha="right", va="center")
+        axes.add(_label(-(TICK + PAD) / width, y, each.label, across="right", up="center"))
     below, beside = names
     if below:
-        at = (0.5, -room_below() / height)
-        axes.text(*at, below, transform=axes.transAxes, ha="center", va="top")
+        axes.add(Text(0.5, -room_below() / height, below, across="center", up="top", parts=True))
     if beside:
-        at = (-room_left(up) / width, 0.5)
-        axes.text(*at, beside, transform=axes.transAxes, ha="right", va="center", rotation=90)
+        axes.add(_turned(-(room_left(up) + LINE * lines(beside) / 2.0) / width, beside))
 
 
 def draw_scale(axes: Axes, up: Ticks, name: str) -> None:
     """Put ticks, labels and a name to the right of axes whose limits are set: a colour bar."""
-    axes.set_axis_off()
-    width, _ = style.size(axes)
-    low, high = axes.get_ylim()
+    width = axes.width
+    low, high = axes.y
     ys = [(each.at - low) / (high - low) for each in up]
     edge = [((0, 0), (1, 0)), ((1, 0), (1, 1)), ((1, 1), (0, 1)), ((0, 1), (0, 0))]
     _lines(axes, [*edge, *(((1, y), (1 + TICK / width, y)) for y in ys)], style.FAINT, 0.5, 2.5)
     for y, each in zip(ys, up, strict=True):
-        _text(axes, (1 + (TICK + PAD) / width, y), each.label, ha="left", va="center")
-    at = (1 + (room_left(up) + PAD) / width, 0.5)
-    axes.text(*at, name, transform=axes.transAxes, ha="left", va="center", rotation=90)
+        axes.add(_label(1 + (TICK + PAD) / width, y, each.label, across="left", up="center"))
+    axes.add(_turned(1 + (room_left(up) + PAD + LINE * lines(name) / 2.0) / width, name))
 
 
 Segment = tuple[tuple[float, float], tuple[float, float]]
 
 
-def _lines(axes: Axes, segments: Sequence[Segment], colour: str, width: float, zorder: float) -> None:
-    drawn = LineCollection(segments, colors=colour, linewidths=width, transform=axes.transAxes)
-    drawn.set(zorder=zorder, clip_on=False)
-    axes.add_collection(drawn, autolim=False)
+def _lines(axes: Axes, segments: Sequence[Segment], colour: str, width: float, z: float) -> None:
+    if segments:
+        x, y = joined([np.array(each, dtype=np.float64) for each in segments])
+        axes.add(Line(x, y, colour, width, flat=True, z=z, parts=True, free=True))
 
 
-def _text(axes: Axes, at: tuple[float, float], text: str, ha: str, va: str) -> None:
-    axes.text(*at, text, transform=axes.transAxes, ha=ha, va=va, fontsize=style.SMALL)
+def _label(x: float, y: float, text: str, *, across: Across, up: Up) -> Text:
+    return Text(x, y, text, style.SMALL, across=across, up=up, parts=True)
+
+
+def _turned(x: float, text: str) -> Text:
+    """Return a text that reads upwards, its middle line at `x`."""
+    return Text(x, 0.5, text, across="center", up="center", turned=True, parts=True)

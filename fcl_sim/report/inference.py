@@ -3,12 +3,10 @@
 from dataclasses import replace
 from functools import partial
 
-from matplotlib.figure import Figure
-
 from fcl_sim.engine.explain import Explanation
 from fcl_sim.model import FunctionBlock
-from fcl_sim.report import style
 from fcl_sim.report.alt_inference import of_inference
+from fcl_sim.report.canvas import Figure
 from fcl_sim.report.inference_rules import rule_strips
 from fcl_sim.report.inference_variables import input_strips, output_strips
 from fcl_sim.report.inference_view import Units, View, view
@@ -28,8 +26,7 @@ def draw(block: FunctionBlock, explanation: Explanation, units: Units | None = N
     accumulation and defuzzification of each output with the result as a line.
     `units` are those of variables by name, letter case ignored.
     """
-    with style.styled():
-        return stacked(_strips(view(block, explanation, units)))
+    return stacked(_strips(view(block, explanation, units)))
 
 
 def picture(
@@ -50,8 +47,7 @@ def pictures(
 ) -> list[Picture]:
     """Return what `picture` does in as many pictures as pages are needed."""
     whole = picture(block, explanation, units, stem=stem)
-    with style.styled():
-        pages = parted(_strips(view(block, explanation, units)), PAGE)
+    pages = parted(_strips(view(block, explanation, units)), PAGE)
     if len(pages) == 1:
         return [whole]
     return [
@@ -59,15 +55,10 @@ def pictures(
             whole,
             name=numbered(stem, index, len(pages)),
             caption=f"{whole.caption} Part {index + 1} of {len(pages)}.",
-            draw=partial(_stacked, page),
+            draw=partial(stacked, page),
         )
         for index, page in enumerate(pages)
     ]
-
-
-def _stacked(strips: list[Strip]) -> Figure:
-    with style.styled():
-        return stacked(strips)
 
 
 def _strips(shown: View) -> list[Strip]:

@@ -4,12 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-
 from fcl_sim.engine.explain import Activated
 from fcl_sim.engine.explain_text import activation_formula, subject
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Axes, Figure, Line, Shape
 from fcl_sim.report.inference_shapes import TOP, draw_activated, draw_taken, sketch
 from fcl_sim.report.inference_view import Fired, Leaf, View
 from fcl_sim.report.strips import COLUMN, EDGE, LINE, Strip, draw_bar, headline, text_height, write
@@ -77,14 +75,14 @@ def rule_strips(view: View) -> list[Strip]:
         shown = [shown[index] for index in sorted(order)]
         left, most = counted(len(view.rules) - LINES, "rule"), number(weakest[-1])
         more = f"Shown are the {LINES} of the largest degrees; {left} more fired, by at most {most}."
-    labels = min(max(style.text_width(one_line(rule.label), style.SMALL) for rule in shown) + 1.0, LABELS)
+    labels = min(max(lettering.text_width(one_line(rule.label), style.SMALL) for rule in shown) + 1.0, LABELS)
     return [headline(title, more), *(_brief(rule, labels) for rule in shown)]
 
 
 def _quiet(labels: Sequence[str]) -> str:
     """Return which rules did not fire, where that is said in a line or two."""
     text = f"Did not fire: {joined([one_line(each) for each in labels])}."
-    return text if labels and style.text_width(text, style.SMALL) < 1.9 * COLUMN else ""
+    return text if labels and lettering.text_width(text, style.SMALL) < 1.9 * COLUMN else ""
 
 
 def _columns(rules: Sequence[Fired]) -> Columns:
@@ -101,7 +99,7 @@ def _columns(rules: Sequence[Fired]) -> Columns:
         (subject(each), printed(activation_formula(each)), THEN) for rule in rules for each in rule.activated
     ]
     fit = all(
-        style.text_width(f"{one_line(left)}  {right}", style.SMALL) <= width / style.HINTED
+        lettering.text_width(f"{one_line(left)}  {right}", style.SMALL) <= width / style.HINTED
         for left, right, width in texts
     )
     return Columns(count, 1 if fit else 2, {name: at for at, name in enumerate(names)} if aligned else {})
@@ -113,20 +111,20 @@ def _label(
     """Write what a sketch shows, and to the right of it a degree or formula; on one line or two."""
     x, y = at
     first, second, right = texts
-    room = max(width / style.HINTED - style.text_width(right, style.SMALL) - 2.0, 4.0)
+    room = max(width / style.HINTED - lettering.text_width(right, style.SMALL) - 2.0, 4.0)
     below = y + LINE[style.SMALL] * (lines - 1)
     if lines == 2 and second:
-        write(page, (x, y), style.cut(first, width / style.HINTED, style.SMALL), size=style.SMALL)
+        write(page, (x, y), lettering.cut(first, width / style.HINTED, style.SMALL), size=style.SMALL)
         first = ""
     last = f"{first} {second}".strip()
-    write(page, (x, below), style.cut(last, room, style.SMALL), size=style.SMALL)
+    write(page, (x, below), lettering.cut(last, room, style.SMALL), size=style.SMALL)
     write(page, (x + width, below), right, size=style.SMALL, align="right")
 
 
 def _full(view: View, rule: Fired, columns: Columns) -> Strip:
-    label = style.cut(f"RULE {one_line(rule.label)}", LABELS)
-    indent = style.text_width(label) + 3.0
-    sentence = style.wrapped(rule.sentence, COLUMN - indent)
+    label = lettering.cut(f"RULE {one_line(rule.label)}", LABELS)
+    indent = lettering.text_width(label) + 3.0
+    sentence = lettering.wrapped(rule.sentence, COLUMN - indent)
     rows = 1 + max((columns.place(leaf, index)[0] for index, leaf in enumerate(rule.leaves)), default=0)
     head = LINE[style.SMALL] * columns.lines + 0.6
     cell = head + HIGH
@@ -134,7 +132,7 @@ def _full(view: View, rule: Fired, columns: Columns) -> Strip:
     starts = [sum(drawn[:index]) + index * GAP for index in range(len(drawn) + 1)]
     same = printed(rule.formula) == number(rule.degree)
     formula = "" if same else f"{printed(rule.formula)} = {number(rule.degree)}"
-    formula = style.wrapped(formula, CONDITIONS) if formula else ""
+    formula = lettering.wrapped(formula, CONDITIONS) if formula else ""
     left = rows * (cell + GAP) + text_height(formula)
     height = text_height(sentence) + GAP + max(left, cell, starts[-1]) + 2.2
 
@@ -178,19 +176,9 @@ def _degree(page: Axes, foot: float, degree: float) -> None:
         align="center",
     )
     draw_bar(page, (BAR_AT, foot - high), (BAR, high), degree)
-    page.annotate(
-        "",
-        (THEN_AT - 0.8, level),
-        (BAR_AT + BAR + 0.6, level),
-        arrowprops={
-            "arrowstyle": "-|>",
-            "color": style.INK,
-            "linewidth": 0.6,
-            "mutation_scale": 5,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        },
-    )
+    tip = THEN_AT - 0.8
+    page.add(Line([BAR_AT + BAR + 0.6, tip - 1.0], [level, level], style.INK, 0.6, flat=True))
+    page.add(Shape([tip, tip - 1.4, tip - 1.4], [level, level - 0.5, level + 0.5], style.INK))
 
 
 def _conclusion(figure: Figure, page: Axes, y: float, what: tuple[View, Activated], lines: int) -> None:
@@ -224,10 +212,10 @@ def _brief(rule: Fired, labels: float) -> Strip:
         if each.weight != 1.0
     ]
     formula = "" if printed(rule.formula) == number(rule.degree) else printed(rule.formula)
-    parts = [style.wrapped(each, FORMULA, style.SMALL) for each in [formula, *weighted] if each]
+    parts = [lettering.wrapped(each, FORMULA, style.SMALL) for each in [formula, *weighted] if each]
     formulas = "\n".join(parts)
-    sentence = style.wrapped(rule.sentence, FORMULA_AT - labels - 5.0, style.SMALL)
-    label = style.cut(one_line(rule.label), labels, style.SMALL)
+    sentence = lettering.wrapped(rule.sentence, FORMULA_AT - labels - 5.0, style.SMALL)
+    label = lettering.cut(one_line(rule.label), labels, style.SMALL)
     height = max(text_height(each, style.SMALL) for each in (sentence, formulas, " ")) + 1.2
     return Strip(height, partial(_paint_brief, rule=rule, texts=(label, sentence, formulas), labels=labels))
 

@@ -4,8 +4,6 @@ from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy import float64
 from numpy.typing import NDArray
 
@@ -14,19 +12,21 @@ from fcl_sim.engine.explain import Activated
 from fcl_sim.engine.switches import degree_at
 from fcl_sim.model import AndOperator, Point, Singleton, Term
 from fcl_sim.report import style
+from fcl_sim.report.canvas import Axes, Dot, Figure, Line, between, upright
 from fcl_sim.report.inference_view import Input, Output, Variable
 from fcl_sim.report.terms import points_of
 
-Line = tuple[NDArray[float64], NDArray[float64]]
+Polyline = tuple[NDArray[float64], NDArray[float64]]
 """Abscissae and degrees of a polyline."""
 
+DOTTED: style.Dashes = (1, 1.6)
 TOP = 1.06
 """Upper end of the axis of degrees."""
 BENT = 24
 """Pieces of a straight stretch that activation bends."""
 
 
-def line_over(term: Term, low: float, high: float) -> Line:
+def line_over(term: Term, low: float, high: float) -> Polyline:
     """Return the membership function of a drawn term from `low` to `high`, constant outside (S20)."""
     points = points_of(term)
     inside = [(float(point.x), point.degree) for point in points if low <= float(point.x) <= high]
@@ -39,7 +39,7 @@ def line_over(term: Term, low: float, high: float) -> Line:
     return np.array(xs), np.array(degrees)
 
 
-def above_zero(line: Line) -> Line:
+def above_zero(line: Polyline) -> Polyline:
     """Return a polyline without the zeros at its ends."""
     xs, degrees = line
     (places,) = np.nonzero(degrees)
@@ -53,7 +53,7 @@ def _degree(points: tuple[Point, ...], x: float) -> float:
     return float(degree_at(points, Fraction(x)))
 
 
-def activated_line(line: Line, each: Activated) -> Line:
+def activated_line(line: Polyline, each: Activated) -> Polyline:
     """Return a conclusion's membership function after activation by its algorithm, and its weight."""
     xs, degrees = line
     if each.algorithm == "PROD":
@@ -66,7 +66,7 @@ def activated_line(line: Line, each: Activated) -> Line:
     return xs, np.array([each.weight * float(norm(level, Fraction(degree))) for degree in degrees.tolist()])
 
 
-def _divided(xs: NDArray[float64], degrees: NDArray[float64], level: float, *, bent: bool) -> Line:
+def _divided(xs: NDArray[float64], degrees: NDArray[float64], level: float, *, bent: bool) -> Polyline:
     """Return a polyline with more vertices: where it passes `level`, and all along where activation bends."""
     line = [(xs[0], degrees[0])]
     for (left, low), (right, high) in pairwise(zip(xs.tolist(), degrees.tolist(), strict=True)):
@@ -83,11 +83,9 @@ def sketch(
     figure: Figure, corner: tuple[float, float], size: tuple[float, float], shown: Variable, label: str
 ) -> Axes:
     """Return axes without numbers for a variable, framed; `corner` is the upper left one, all in mm."""
-    axes = style.place(figure, *corner, *size)
-    axes.set(xlim=(shown.low, shown.high), ylim=(0.0, TOP), label=label)
-    axes.set_axis_off()
-    ends = [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]
-    axes.plot(*ends, transform=axes.transAxes, color=style.FAINT, linewidth=0.5, clip_on=False, zorder=2.5)
+    axes = figure.place(*corner, *size, label)
+    axes.x, axes.y = (shown.low, shown.high), (0.0, TOP)
+    axes.add(Line([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], style.FAINT, 0.5, z=2.5, parts=True, free=True))
     return axes
 
 
@@ -97,60 +95,41 @@ def draw_taken(axes: Axes, shown: Input, term: int, degree: float, *, negated: b
     xs, degrees = line_over(shown.terms[term], shown.low, shown.high)
     line = (xs, 1.0 - degrees) if negated else (xs, degrees)
     below, heights = _divided(*line, degree, bent=False)
-    axes.fill_between(below, np.minimum(heights, degree), color=style.BAND, linewidth=0, zorder=1)
-    axes.plot(*above_zero(line), color=colour, linestyle=dashes, linewidth=1.1, zorder=3, label="_term")
+    axes.add(between(below, 0.0, np.minimum(heights, degree), style.BAND, z=1))
+    axes.add(Line(*above_zero(line), colour, 1.1, dashes, z=3, label="term"))
     draw_value(axes, shown)
     if shown.low <= shown.at <= shown.high:
-        axes.plot(
-            [shown.at],
-            [degree],
-            "o",
-            color=style.INK,
-            markersize=2.8,
-            clip_on=False,
-            zorder=5,
-            label="_degree",
-        )
-    axes.plot(
-        [shown.low, shown.high], [degree] * 2, color=style.INK, linewidth=0.6, dashes=(1, 1.6), zorder=4
-    )
+        axes.add(Dot(shown.at, degree, "circle", style.INK, 3.8, z=5, label="degree"))
+    axes.add(Line([shown.low, shown.high], [degree] * 2, style.INK, 0.6, DOTTED, z=4))
 
 
 def draw_value(axes: Axes, shown: Input) -> None:
     """Draw the value of an input as a line, or as an arrow at the end beyond which it lies."""
-    draw_crisp(axes, shown, shown.value, "_value")
+    draw_crisp(axes, shown, shown.value, "value")
     if shown.at != shown.value:
-        axes.axvline(shown.at, color=style.INK, linewidth=0.6, dashes=(4, 2), zorder=4, label="_clamped")
+        axes.add(upright(axes, shown.at, style.INK, width=0.6, dashes=(4, 2), z=4, label="clamped"))
 
 
 def draw_crisp(axes: Axes, shown: Variable, value: float, label: str, width: float = 0.9) -> None:
     """Draw a number on the axis of a variable as a line behind stems, or as an arrow if it lies beyond."""
     if shown.low <= value <= shown.high:
-        axes.axvline(value, 0.0, 1.0, color=style.INK, linewidth=width, zorder=2.8, label=label)
-    elif value == value:  # noqa: PLR0124  not NaN
-        x, marker = (0.0, "<") if value < shown.low else (1.0, ">")
-        axes.plot(
-            [x],
-            [0.5],
-            marker,
-            transform=axes.transAxes,
-            color=style.INK,
-            markersize=5,
-            clip_on=False,
-            zorder=4,
-        )
+        axes.add(upright(axes, value, style.INK, width=width, z=2.8, label=label))
+    elif value < shown.low:
+        axes.add(Dot(0.0, 0.5, "left", style.INK, 6.0, z=4, parts=True))
+    elif value > shown.high:
+        axes.add(Dot(1.0, 0.5, "right", style.INK, 6.0, z=4, parts=True))
 
 
 def draw_activated(axes: Axes, shown: Output, each: Activated) -> None:
     """Draw an activated conclusion: its term thin, the others faint, what is left as an area or a stem."""
     index = shown.index(each.term)
     for place, term in enumerate(shown.terms):
-        colour, dashes = style.stroke(place) if place == index else (style.GRID, "solid")
+        colour, dashes = style.stroke(place) if place == index else (style.GRID, ())
         if isinstance(term.shape, Singleton):
             draw_stem(axes, shown, float(term.shape.value), 1.0, colour, faint=True)
         else:
             line = line_over(term, shown.low, shown.high)
-            axes.plot(*above_zero(line), color=colour, linestyle=dashes, linewidth=0.7, zorder=2)
+            axes.add(Line(*above_zero(line), colour, 0.7, dashes))
     term = shown.terms[index]
     colour, _ = style.stroke(index)
     if isinstance(term.shape, Singleton):
@@ -167,13 +146,13 @@ def draw_stem(
     if not shown.low <= x <= shown.high:
         return
     if faint:
-        axes.plot([x, x], [0.0, degree], color=colour, linewidth=0.7, dashes=(1.5, 1.5), zorder=2)
+        axes.add(Line([x, x], [0.0, degree], colour, 0.7, (1.5, 1.5)))
     else:
-        axes.plot([x, x], [0.0, degree], color=colour, linewidth=2.2, solid_capstyle="butt", zorder=3)
-        axes.plot([x], [degree], "o", color=colour, markersize=3.6, clip_on=False, zorder=4, label="_degree")
+        axes.add(Line([x, x], [0.0, degree], colour, 2.2, flat=True, z=3))
+        axes.add(Dot(x, degree, "circle", colour, 4.6, z=4, label="degree"))
 
 
 def draw_area(axes: Axes, xs: NDArray[float64], degrees: NDArray[float64], colour: str) -> None:
     """Fill an area below its polyline."""
-    axes.fill_between(xs, degrees, color=style.BAND, linewidth=0, zorder=1)
-    axes.plot(xs, degrees, color=colour, linewidth=1.5, zorder=3, label="_area")
+    axes.add(between(xs, 0.0, degrees, style.BAND, z=1))
+    axes.add(Line(xs, degrees, colour, 1.5, z=3, label="area"))

@@ -4,15 +4,15 @@ from collections.abc import Sequence
 from math import isfinite
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from fcl_sim.engine.explain import Accumulated, Brought, Origin
 from fcl_sim.engine.explain_text import accumulation_words, defuzzification_formula
 from fcl_sim.model import Singleton, Term
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Across, Axes, Dot, Figure, Line, Text
 from fcl_sim.report.frame import Tick, draw_frame, room_below, ticks
 from fcl_sim.report.inference_shapes import (
+    DOTTED,
     TOP,
     above_zero,
     draw_area,
@@ -62,8 +62,7 @@ def _inputs(row: Sequence[Input], wide: float) -> Strip:
         for index, (each, placed) in enumerate(zip(row, named, strict=True)):
             left = index * (wide + BETWEEN)
             write(page, (left, top), _valued(each.name, _taken(each), wide - BETWEEN))
-            axes = style.place(figure, left + LEFT, top + above, width, HIGH)
-            axes.set_label(f"input {each.name}")
+            axes = figure.place(left + LEFT, top + above, width, HIGH, f"input {each.name}")
             _draw_input(axes, each, placed)
 
     return Strip(above + HIGH + room_below() + AFTER, paint)
@@ -71,8 +70,8 @@ def _inputs(row: Sequence[Input], wide: float) -> Strip:
 
 def _valued(name: str, value: str, width: float) -> str:
     """Return `name = value`, the name cut so that the value is whole."""
-    room = max(width / style.HINTED - style.text_width(f" = {value}"), 10.0)
-    return f"{style.cut(one_line(name), room)} = {value}"
+    room = max(width / style.HINTED - lettering.text_width(f" = {value}"), 10.0)
+    return f"{lettering.cut(one_line(name), room)} = {value}"
 
 
 def _taken(each: Input) -> str:
@@ -93,16 +92,15 @@ def _names(shown: Variable, degrees: Sequence[float]) -> list[Name]:
 
 
 def _draw_input(axes: Axes, each: Input, placed: Sequence[Placed]) -> None:
-    width, _ = style.size(axes)
-    axes.set(xlim=(each.low, each.high), ylim=(0.0, TOP))
-    draw_frame(axes, ticks(each.low, each.high, int(width / 10.0)), DEGREES, ("", "degree [1]"))
+    axes.x, axes.y = (each.low, each.high), (0.0, TOP)
+    draw_frame(axes, ticks(each.low, each.high, int(axes.width / 10.0)), DEGREES, ("", "degree [1]"))
     for index, (term, degree) in enumerate(zip(each.terms, each.degrees, strict=True)):
         _outline(axes, each, index, term, 1.1 if degree > 0.0 else 0.7)
         if degree > 0.0 and each.low <= each.at <= each.high:
             colour, _ = style.stroke(index)
             ends = [each.low, each.at]
-            axes.plot(ends, [degree] * 2, color=colour, linewidth=0.6, dashes=(1, 1.6), zorder=3.5)
-            axes.plot([each.at], [degree], "o", color=colour, markersize=3.2, zorder=5, label="_degree")
+            axes.add(Line(ends, [degree] * 2, colour, 0.6, DOTTED, z=3.5))
+            axes.add(Dot(each.at, degree, "circle", colour, 4.2, z=5, label="degree"))
     draw_value(axes, each)
     draw_names(axes, placed, 1.0 / TOP)
 
@@ -110,7 +108,7 @@ def _draw_input(axes: Axes, each: Input, placed: Sequence[Placed]) -> None:
 def _outline(axes: Axes, shown: Variable, index: int, term: Term, width: float) -> None:
     colour, dashes = style.stroke(index)
     line = above_zero(line_over(term, shown.low, shown.high))
-    axes.plot(*line, color=colour, linestyle=dashes, linewidth=width, clip_on=False, zorder=3, label="_term")
+    axes.add(Line(*line, colour, width, dashes, z=3, free=True, label="term"))
 
 
 def _brought(each: Brought) -> Strip:
@@ -150,16 +148,16 @@ def _other(each: Accumulated) -> list[Strip]:
 def _output(each: Output) -> Strip:
     degrees = [told.degree for told in each.accumulated.degrees]
     placed = arranged(_names(each, degrees) if degrees else _plain_names(each), style.WIDTH - LEFT - RIGHT)
-    head = style.cut(one_line(each.name), style.WIDTH / 2.0)
-    head = style.wrapped(f"{head}: accumulated by {accumulation_words(each.accumulated)}", COLUMN)
-    result, more = style.wrapped(_result(each), COLUMN), _remarks(each)
+    head = lettering.cut(one_line(each.name), style.WIDTH / 2.0)
+    head = lettering.wrapped(f"{head}: accumulated by {accumulation_words(each.accumulated)}", COLUMN)
+    result, more = lettering.wrapped(_result(each), COLUMN), _remarks(each)
     above = text_height(head) + 0.4 + height_of(placed)
     below = above + HIGHER + room_below() + 0.8
 
     def paint(figure: Figure, page: Axes, top: float) -> None:
         write(page, (0.0, top), head)
-        axes = style.place(figure, LEFT, top + above, style.WIDTH - LEFT - RIGHT, HIGHER)
-        axes.set_label(f"output {each.name}")
+        size = (style.WIDTH - LEFT - RIGHT, HIGHER)
+        axes = figure.place(LEFT, top + above, *size, f"output {each.name}")
         _draw_output(axes, each, placed)
         write(page, (0.0, top + below), result)
         at = (0.0, top + below + text_height(result))
@@ -174,7 +172,7 @@ def _remarks(each: Output) -> str:
     remarks = [f"{what}: {'; '.join(each.calculated)}."] if each.calculated else []
     if each.ranged:
         remarks.append(f"RANGE {number(each.limits[0])} to {with_unit(each.limits[1], each.unit)}.")
-    return style.wrapped(" ".join(remarks), COLUMN, style.SMALL)
+    return lettering.wrapped(" ".join(remarks), COLUMN, style.SMALL)
 
 
 def _plain_names(each: Output) -> list[Name]:
@@ -185,16 +183,15 @@ def _plain_names(each: Output) -> list[Name]:
 def _result(each: Output) -> str:
     """Return how the output gets its value."""
     formula = printed(defuzzification_formula(each.defuzzified, each.accumulated))
-    return f"{style.cut(one_line(each.name), style.WIDTH / 2.0)} = {formula}"
+    return f"{lettering.cut(one_line(each.name), style.WIDTH / 2.0)} = {formula}"
 
 
 def _draw_output(axes: Axes, each: Output, placed: Sequence[Placed]) -> None:
     area, degrees = each.accumulated.area, [told.degree for told in each.accumulated.degrees]
     highest = max([1.0, *(degree for _, degree in area), *degrees])
-    width, _ = style.size(axes)
-    axes.set(xlim=(each.low, each.high), ylim=(0.0, highest * TOP))
+    axes.x, axes.y = (each.low, each.high), (0.0, highest * TOP)
     up = DEGREES if highest == 1.0 else ticks(0.0, highest, 4)
-    draw_frame(axes, ticks(each.low, each.high, int(width / 10.0)), up, ("", "degree [1]"))
+    draw_frame(axes, ticks(each.low, each.high, int(axes.width / 10.0)), up, ("", "degree [1]"))
     for index, term in enumerate(each.terms):
         colour, _ = style.stroke(index)
         if isinstance(term.shape, Singleton):
@@ -213,30 +210,21 @@ def _draw_output(axes: Axes, each: Output, placed: Sequence[Placed]) -> None:
 
 def _draw_result(axes: Axes, each: Output) -> None:
     result = each.defuzzified
-    draw_crisp(axes, each, result.value, "_result", 1.6)
+    draw_crisp(axes, each, result.value, "result", 1.6)
     if not isfinite(result.value):
         return
     origin = "" if result.origin is Origin.RULES else f" ({result.origin})"
     text = f"{with_unit(result.value, each.unit)}{origin}"
     at, align = _beside(axes, each, text)
-    axes.text(
-        at,
-        0.5,
-        text,
-        transform=axes.transAxes,
-        ha=align,
-        va="center",
-        zorder=6,
-        bbox={"facecolor": style.PAPER, "edgecolor": "none", "pad": 0.6},
-    )
+    axes.add(Text(at, 0.5, text, across=align, up="center", backed=0.2, z=6, parts=True))
 
 
-def _beside(axes: Axes, each: Output, text: str) -> tuple[float, str]:
+def _beside(axes: Axes, each: Output, text: str) -> tuple[float, Across]:
     """Return where the result is written, in parts of the axes: beside its line, on the emptier side."""
-    width, _ = style.size(axes)
+    width = axes.width
     span = each.high - each.low
     at = min(max((each.defuzzified.value - each.low) / span, 0.0), 1.0)
-    needed = (style.text_width(text) + 2.4) / width
+    needed = (lettering.text_width(text) + 2.4) / width
     places = [float(term.shape.value) for term in each.terms if isinstance(term.shape, Singleton)]
     stems = [(place - each.low) / span for place in places]
     right = sum(at < stem < at + needed for stem in stems) + 100 * (at + needed > 1.0)

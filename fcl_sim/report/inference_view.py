@@ -18,7 +18,7 @@ from fcl_sim.model import (
     Singleton,
     Term,
 )
-from fcl_sim.report import style
+from fcl_sim.report import lettering
 from fcl_sim.report.terms import REACH, Initials, calculated, drawn, extent, standing
 from fcl_sim.report.words import number, one_line
 
@@ -123,7 +123,7 @@ class View:
 
 def view(block: FunctionBlock, explanation: Explanation, units: Units | None = None) -> View:
     """Return what is to be shown of an explanation of `block`; `units` by variable, letter case ignored."""
-    unit_of = {name.casefold(): style.cut(one_line(unit), UNIT) for name, unit in (units or {}).items()}
+    unit_of = {name.casefold(): lettering.cut(one_line(unit), UNIT) for name, unit in (units or {}).items()}
     values = {each.variable.casefold(): each.value for each in explanation.inputs}
     inputs = tuple(_inputs(block, explanation, values, unit_of))
     outputs = tuple(_outputs(block, explanation, values, unit_of))

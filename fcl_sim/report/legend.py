@@ -2,9 +2,8 @@
 
 from collections.abc import Sequence
 
-from matplotlib.figure import Figure
-
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Figure, Line, Text
 from fcl_sim.report.words import one_line
 
 LEFT, RIGHT = 14.0, 2.0
@@ -24,16 +23,13 @@ def draw_legend(figure: Figure, labels: Sequence[str]) -> None:
     if not labels:
         return
     rows = _rows(labels)
-    axes = style.place(figure, 0.0, 0.0, style.WIDTH, len(rows) * ROW)
-    axes.set_axis_off()
-    axes.set_xlim(0.0, style.WIDTH)
-    axes.set_ylim(len(rows) * ROW, 0.0)
+    page = figure.page()
     for row, entries in enumerate(rows):
         x, y = LEFT, (row + 0.5) * ROW
         for index, label in entries:
             colour, dashes = style.stroke(index)
-            axes.plot([x, x + STROKE], [y, y], color=colour, linestyle=dashes, linewidth=1.3)
-            axes.text(x + STROKE + 1.5, y, label, va="center_baseline")
+            page.add(Line([x, x + STROKE], [y, y], colour, 1.3, dashes))
+            page.add(Text(x + STROKE + 1.5, y, label, up="middle"))
             x += _width(label)
 
 
@@ -41,7 +37,7 @@ def _rows(labels: Sequence[str]) -> list[list[tuple[int, str]]]:
     rows: list[list[tuple[int, str]]] = [[]]
     used = 0.0
     for index, full in enumerate(labels):
-        label = style.cut(one_line(full), style.WIDTH - LEFT - RIGHT - STROKE - AFTER)
+        label = lettering.cut(one_line(full), style.WIDTH - LEFT - RIGHT - STROKE - AFTER)
         if rows[-1] and used + _width(label) > style.WIDTH - LEFT - RIGHT:
             rows.append([])
             used = 0.0
@@ -51,4 +47,4 @@ def _rows(labels: Sequence[str]) -> list[list[tuple[int, str]]]:
 
 
 def _width(label: str) -> float:
-    return STROKE + 1.5 + style.text_width(label) + AFTER
+    return STROKE + 1.5 + lettering.text_width(label) + AFTER

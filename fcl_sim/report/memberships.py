@@ -3,11 +3,9 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-
 from fcl_sim.model import Formula, FunctionBlock, Singleton, Term
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Across, Axes, Dot, Figure, Line, Text, rectangle
 from fcl_sim.report.frame import Tick, draw_frame, ticks
 from fcl_sim.report.naming import Name, arranged, draw_names, height_of
 from fcl_sim.report.terms import (
@@ -107,24 +105,21 @@ def membership_plot(shown: Sequence[Panel]) -> Figure:
     Singletons are stems. A bar below an axis is the range that a run visited.
     Terms that are formulae are written below.
     """
-    with style.styled():
-        shown = [replace(panel, terms=[drawn(term, _span(panel)) for term in panel.terms]) for panel in shown]
-        named = [arranged(_names(panel), ACROSS) for panel in shown]
-        rooms = [0.0 if panel.bare else height_of(names) for panel, names in zip(shown, named, strict=True)]
-        heights = [_height(panel, room) for panel, room in zip(shown, rooms, strict=True)]
-        figure = style.blank(sum(heights) + (len(shown) - 1) * GAP)
-        top = 0.0
-        for panel, names, room, height in zip(shown, named, rooms, heights, strict=True):
-            axes = style.place(figure, LEFT, top + HEADING + room, ACROSS, HEIGHT)
-            if panel.bare:
-                axes.set_axis_off()
-            else:
-                _draw_terms(axes, panel)
-                draw_names(axes, names, 1.0 / TOP)
-                _draw_visits(axes, panel)
-            _heading(axes, panel, room)
-            _draw_formulae(axes, panel)
-            top += height + GAP
+    shown = [replace(panel, terms=[drawn(term, _span(panel)) for term in panel.terms]) for panel in shown]
+    named = [arranged(_names(panel), ACROSS) for panel in shown]
+    rooms = [0.0 if panel.bare else height_of(names) for panel, names in zip(shown, named, strict=True)]
+    heights = [_height(panel, room) for panel, room in zip(shown, rooms, strict=True)]
+    figure = Figure(sum(heights) + (len(shown) - 1) * GAP)
+    top = 0.0
+    for panel, names, room, height in zip(shown, named, rooms, heights, strict=True):
+        axes = figure.place(LEFT, top + HEADING + room, ACROSS, HEIGHT, panel.variable)
+        if not panel.bare:
+            _draw_terms(axes, panel)
+            draw_names(axes, names, 1.0 / TOP)
+            _draw_visits(axes, panel)
+        _heading(axes, panel, room)
+        _draw_formulae(axes, panel)
+        top += height + GAP
     return figure
 
 
@@ -142,13 +137,13 @@ def _formulae(panel: Panel) -> list[str]:
     if not panel.formulae:
         return []
     text = f"Calculated at each evaluation: {'; '.join(panel.formulae)}."
-    return style.wrapped(text, ACROSS / style.HINTED, style.SMALL).split("\n")
+    return lettering.wrapped(text, ACROSS / style.HINTED, style.SMALL).split("\n")
 
 
 def _draw_formulae(axes: Axes, panel: Panel) -> None:
     for row, line in enumerate(_formulae(panel)):
         y = 1.0 - (_body(panel) + (row + 1) * LINE) / HEIGHT
-        axes.text(0.0, y, line, transform=axes.transAxes, fontsize=style.SMALL, va="bottom")
+        axes.add(Text(0.0, y, line, style.SMALL, up="bottom", parts=True))
 
 
 def _span(panel: Panel) -> tuple[float, float]:
@@ -165,19 +160,18 @@ def _names(panel: Panel) -> list[Name]:
 
 
 def _draw_terms(axes: Axes, panel: Panel) -> None:
-    low, high = _span(panel)
-    axes.set_xlim(low, high)
-    axes.set_ylim(0.0, TOP)
+    low, high = axes.x = _span(panel)
+    axes.y = (0.0, TOP)
     draw_frame(axes, ticks(low, high, 11), DEGREES, ("", "degree [1]"))
     for index, term in enumerate(panel.terms):
         colour, dashes = style.stroke(index)
         if isinstance(term.shape, Singleton):
             at = float(term.shape.value)
-            axes.plot([at, at], [0.0, 1.0], color=colour, linewidth=1.1, zorder=3)
-            axes.plot([at], [1.0], "o", color=colour, markersize=3.6, clip_on=False, zorder=4)
+            axes.add(Line([at, at], [0.0, 1.0], colour, 1.1, z=3, label="stem"))
+            axes.add(Dot(at, 1.0, "circle", colour, 4.6, z=4, label="stem"))
         else:
             xs, degrees = line_of(points_of(term), low, high)
-            axes.plot(xs, degrees, color=colour, linestyle=dashes, linewidth=1.1, clip_on=False, zorder=3)
+            axes.add(Line(xs, degrees, colour, 1.1, dashes, z=3, free=True, label="term"))
 
 
 def _draw_visits(axes: Axes, panel: Panel) -> None:
@@ -186,32 +180,24 @@ def _draw_visits(axes: Axes, panel: Panel) -> None:
     for row, visit in enumerate(panel.visits):
         y = -(TICKS + (row + 0.5) * BAR) / HEIGHT
         left, right = (min(max((x - low) / (high - low), 0.0), 1.0) for x in (visit.low, visit.high))
-        axes.plot(
-            [left, max(right, left + 0.003)],
-            [y, y],
-            transform=axes.transAxes,
-            color=style.FAINT,
-            linewidth=0.85 * BAR / 25.4 * 72.0,
-            solid_capstyle="butt",
-            clip_on=False,
-        )
-        label = style.cut(one_line(visit.label), 0.3 * ACROSS, TINY)
+        half = 0.85 * BAR / HEIGHT / 2.0
+        ends = (left, max(right, left + 0.003))
+        axes.add(rectangle(ends, (y - half, y + half), style.FAINT, parts=True, free=True))
+        label = lettering.cut(one_line(visit.label), 0.3 * ACROSS, TINY)
         text = f"{label}: {number(visit.low, 3)} … {number(visit.high, 3)}"
-        width = (style.text_width(text, TINY) + 2.0) / ACROSS
-        x, align, colour = (left + right) / 2.0, "center", style.PAPER
+        width = (lettering.text_width(text, TINY) + 2.0) / ACROSS
+        across: Across
+        x, across, colour = (left + right) / 2.0, "center", style.PAPER
         if width > right - left:
             beside = right + width < 1.0
-            x, align, colour = (
+            x, across, colour = (
                 (right + 0.006, "left", style.INK) if beside else (left - 0.006, "right", style.INK)
             )
-        axes.text(
-            x, y, text, transform=axes.transAxes, fontsize=TINY, ha=align, va="center_baseline", color=colour
-        )
+        axes.add(Text(x, y, text, TINY, colour, across=across, up="middle", parts=True, z=3))
 
 
 def _heading(axes: Axes, panel: Panel, names: float) -> None:
     y = 1.0 + (names + 1.4) / HEIGHT
     text = bracketed(panel.variable, panel.unit)
-    axes.text(0.0, y, text, transform=axes.transAxes)
-    x = (style.text_width(text) + 3.0) / ACROSS
-    axes.text(x, y, panel.role, transform=axes.transAxes, color=style.FAINT, fontsize=style.SMALL)
+    x = (lettering.text_width(text) + 3.0) / ACROSS
+    axes.add(Text(0.0, y, text, parts=True), Text(x, y, panel.role, style.SMALL, style.FAINT, parts=True))

@@ -1,11 +1,10 @@
 """Names above an axis, in as many rows as it takes that no two meet."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from matplotlib.axes import Axes
-
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Axes, Line, Text
 
 ROW = 3.1
 """Height of a row of names in mm."""
@@ -39,8 +38,8 @@ def arranged(names: Sequence[Name], width: float) -> list[Placed]:
     ends: list[float] = []
     placed = []
     for name in sorted(names, key=lambda each: each.anchor):
-        text = style.cut(name.text, width / style.HINTED, style.SMALL)
-        half = style.HINTED * style.text_width(text, style.SMALL) / 2.0
+        text = lettering.cut(name.text, width / style.HINTED, style.SMALL)
+        half = style.HINTED * lettering.text_width(text, style.SMALL) / 2.0
         middle = min(max(name.anchor * width, half), width - half)
         row = next((row for row, end in enumerate(ends) if end < middle - half), len(ends))
         ends[row : row + 1] = [middle + half + APART]
@@ -55,29 +54,12 @@ def height_of(placed: Sequence[Placed]) -> float:
 
 def draw_names(axes: Axes, placed: Sequence[Placed], top: float = 1.0) -> None:
     """Write names above axes; those of higher rows have a leader to `top`, in parts of the axes' height."""
-    width, height = style.size(axes)
     for each in placed:
-        foot = 1.0 + (FOOT + ROW * each.row) / height
-        axes.text(
-            each.middle / width,
-            foot,
-            each.text,
-            transform=axes.transAxes,
-            ha="center",
-            va="bottom",
-            fontsize=style.SMALL,
-            color=each.name.colour,
-            zorder=5,
-            # A leader passes behind the names below it.
-            bbox={"facecolor": style.PAPER, "edgecolor": "none", "pad": 0.2},
-        )
+        foot = 1.0 + (FOOT + ROW * each.row) / axes.height
+        at = (each.middle / axes.width, foot)
+        # A leader passes behind the names below it.
+        name = Text(*at, each.text, style.SMALL, across="center", up="bottom", backed=0.1, z=5, parts=True)
+        axes.add(replace(name, colour=each.name.colour))
         if each.row:
-            axes.plot(
-                [each.name.anchor] * 2,
-                [top, foot],
-                transform=axes.transAxes,
-                color=each.name.colour,
-                linewidth=0.4,
-                clip_on=False,
-                zorder=2,
-            )
+            leader = Line([each.name.anchor] * 2, [top, foot], each.name.colour, 0.4, parts=True, free=True)
+            axes.add(leader)

@@ -4,9 +4,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from matplotlib.figure import Figure
-
 from fcl_sim.report import alt
+from fcl_sim.report.canvas import Figure
 from fcl_sim.report.time_plots import Lane, Shown, lanes, pages, time_plot
 from fcl_sim.report.words import one_line, with_unit
 from fcl_sim.testbench import Outcome, Run

@@ -52,7 +52,7 @@ def write_sheet(pictures: Sequence[Picture], file: Path, date: datetime) -> None
         ]
         for entry, picture in zip(drawn, pictures, strict=True):
             figure = picture.draw()
-            entry["width"] = max(WIDTH, float(figure.get_size_inches()[0]) * 25.4)
+            entry["width"] = max(WIDTH, figure.width)
             (work / str(entry["file"])).write_bytes(svg(figure))
         (work / "sheet.json").write_text(json.dumps(drawn), encoding="utf-8")
         made = work / f"sheet.{kind}"

@@ -3,11 +3,8 @@
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.patches import Rectangle
-
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
+from fcl_sim.report.canvas import Across, Axes, Figure, Line, Text, rectangle
 
 LINE = {style.NORMAL: 3.3, style.SMALL: 2.9}
 """Height of a line of text in mm, by its size."""
@@ -33,11 +30,8 @@ class Strip:
 
 def stacked(strips: Sequence[Strip]) -> Figure:
     """Return strips below one another."""
-    figure = style.blank(max(sum(each.height for each in strips), 1.0))
-    width, height = (each * 25.4 for each in figure.get_size_inches())
-    page = style.place(figure, 0.0, 0.0, width, height)
-    page.set(xlim=(0.0, width), ylim=(height, 0.0))
-    page.set_axis_off()
+    figure = Figure(max(sum(each.height for each in strips), 1.0))
+    page = figure.page()
     top = 0.0
     for each in strips:
         each.paint(figure, page, top)
@@ -71,34 +65,31 @@ def write(
     *,
     size: float = style.NORMAL,
     colour: str = style.INK,
-    align: str = "left",
+    align: Across = "left",
 ) -> None:
     """Write lines of text on a page; `at` is their upper left corner, or with `align` another, in mm."""
     x, top = at
     for row, line in enumerate(text.split("\n") if text else []):
-        y = top + LINE[size] * (row + BASE)
-        page.text(x, y, line, fontsize=size, color=colour, ha=align, va="baseline")
+        page.add(Text(x, top + LINE[size] * (row + BASE), line, size, colour, across=align))
 
 
 def draw_bar(page: Axes, corner: tuple[float, float], size: tuple[float, float], degree: float) -> None:
     """Draw a degree as a bar, filled along its longer side; `corner` is its upper left one, all in mm."""
     (x, y), (width, height) = corner, size
     part = min(max(degree, 0.0), 1.0)
-    if width >= height:
-        filled = Rectangle((x, y), width * part, height)
-    else:
-        filled = Rectangle((x, y + height * (1.0 - part)), width, height * part)
-    filled.set(facecolor=style.BOUND, edgecolor="none", zorder=3, label=f"_degree {degree!r}")
-    page.add_patch(filled)
-    page.add_patch(Rectangle((x, y), width, height, facecolor="none", edgecolor=style.FAINT, linewidth=0.5))
+    along = width >= height
+    across, down = (width * part, 0.0) if along else (width, height * (1.0 - part))
+    label = f"degree {degree!r}"
+    page.add(rectangle((x, x + across), (y + down, y + height), style.BOUND, z=3, label=label))
+    page.add(rectangle((x, x + width), (y, y + height), edge=style.FAINT))
 
 
 def headline(text: str, more: str = "") -> Strip:
     """Return the heading of a section, with `more` in small letters below it."""
-    small = style.wrapped(more, COLUMN, style.SMALL) if more else ""
+    small = lettering.wrapped(more, COLUMN, style.SMALL) if more else ""
 
     def paint(_: Figure, page: Axes, top: float) -> None:
-        page.plot([0.0, style.WIDTH], [top + 1.6, top + 1.6], color=style.FAINT, linewidth=0.5)
+        page.add(Line([0.0, style.WIDTH], [top + 1.6, top + 1.6], style.FAINT, 0.5))
         write(page, (0.0, top + 2.4), text)
         write(page, (0.0, top + 2.4 + LINE[style.NORMAL]), small, size=style.SMALL, colour=style.FAINT)
 

@@ -7,13 +7,18 @@ from dataclasses import dataclass
 from fcl_sim.envelope.envelope import Envelope
 from fcl_sim.judge.envelope import EnvelopeVerdict, without_figure
 from fcl_sim.judge.verdict import Over, Status, Verdict, worst
-from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, value
+from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, one_line, value
 from fcl_sim.testbench import Outcome, Run
+
+AnyVerdict = Verdict | EnvelopeVerdict
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Row:
-    """One verdict as a table shows it; `note` says how an expected miss came out."""
+    """One verdict as a table shows it.
+
+    `note` says how a miss that is expected came out, or why there is no figure.
+    """
 
     scenario: str
     variant: str
@@ -43,8 +48,39 @@ def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterato
             bound=bound(verdict.requirement),
             value=value(verdict),
             status=verdict.status,
-            note=expectation(verdict),
+            note=expectation(verdict) or _why(verdict),
         )
+
+
+def _why(verdict: Verdict) -> str:
+    """Return why there is no figure, where there is none and the verdict is not green."""
+    missing = verdict.status is not Status.PASS and verdict.value is None
+    return one_line(verdict.reason).partition(";")[0].rstrip(".") if missing else ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunRow:
+    """A run as one line: how many of its requirements, and of its envelope's, came out as they should."""
+
+    scenario: str
+    variant: str
+    requirements: str
+    envelope: str
+    status: Status
+
+
+def run_rows(outcomes: Sequence[Outcome]) -> Iterator[RunRow]:
+    """Yield every run, in the order of scenarios and variants."""
+    for outcome in outcomes:
+        for run in outcome.variants.values():
+            over = run.envelope
+            yield RunRow(
+                scenario=outcome.scenario.name,
+                variant=run.variant,
+                requirements=_tallied(run.verdicts),
+                envelope="" if over is None else f"{_good(over.verdicts)} at {counted(len(over), 'point')}",
+                status=run.verdict,
+            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,9 +182,6 @@ def sentence(outcomes: Sequence[Outcome]) -> str:
     return sentence_of(", ".join([*parts, counted(len(verdicts), "verdict")]), verdicts)
 
 
-AnyVerdict = Verdict | EnvelopeVerdict
-
-
 def verdicts_of(run: Run) -> list[AnyVerdict]:
     """Return the verdicts on a run, then those over its envelope."""
     return [*run.verdicts, *(run.envelope.verdicts if run.envelope is not None else ())]
@@ -172,14 +205,18 @@ def tally(verdicts: Sequence[AnyVerdict]) -> str:
 
 def run_tally(run: Run) -> str:
     """Return how many of a run's requirements came out as they should."""
-    verdicts = verdicts_of(run)
-    good = sum(verdict.status is Status.PASS for verdict in verdicts)
+    return _tallied(verdicts_of(run))
+
+
+def _tallied(verdicts: Sequence[AnyVerdict]) -> str:
     if not verdicts:
         return "none"
     missed = sum(expected_miss(verdict) for verdict in verdicts)
-    return f"{good} of {len(verdicts)}" + (
-        f", {counted(missed, 'expected miss', 'expected misses')}" if missed else ""
-    )
+    return _good(verdicts) + (f", {counted(missed, 'expected miss', 'expected misses')}" if missed else "")
+
+
+def _good(verdicts: Sequence[AnyVerdict]) -> str:
+    return f"{sum(verdict.status is Status.PASS for verdict in verdicts)} of {len(verdicts)}"
 
 
 def expected_miss(verdict: AnyVerdict) -> bool:

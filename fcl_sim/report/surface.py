@@ -1,20 +1,13 @@
 """The characteristic of a block, as a heat map or a curve, with a run drawn over it."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
-from matplotlib.colors import Normalize
-from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch
-from matplotlib.path import Path
-from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
 from fcl_sim.loop.trace import Values
-from fcl_sim.report import style
+from fcl_sim.report import lettering, raster, style
+from fcl_sim.report.canvas import Axes, Dot, Figure, Image, Line, Shape, Text, joined, span
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.sampling import Curve, Surface, Track
 from fcl_sim.report.stretches import stretches
@@ -25,7 +18,10 @@ BAR, BESIDE = 3.0, 3.0
 EDGE = 4.0
 """Room to the right of a map in mm, for half a label."""
 
-HALO = [withStroke(linewidth=2.6, foreground=style.PAPER)]
+PIXELS = 4.0
+"""Of a map, to the millimetre."""
+
+HALO = 2.6
 
 
 def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Figure:
@@ -34,55 +30,51 @@ def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Fig
     Where no rule is active the map is hatched; `track` is drawn over it from an
     open circle to a filled square.
     """
-    with style.styled():
-        first, (least, most) = surfaces[0], _range(surfaces)
-        up = style.wrapped(bracketed(first.up.name, first.up.unit), HEIGHT)
-        beside = style.wrapped(bracketed(first.name, first.unit), HEIGHT)
-        marks = [ticks(each.y[0], each.y[-1], 6) for each in surfaces]
-        levels, scale = ticks(least, most, 9), Normalize(least, most)
-        left = max(room_left(each, up) for each in marks)
-        bar = BESIDE + BAR + room_left(levels, beside)
-        width = (style.WIDTH - bar) / len(surfaces) - left - EDGE
-        across = style.wrapped(bracketed(first.across.name, first.across.unit), width)
-        figure = style.blank(TOP + HEIGHT + room_below(across))
-        for index, surface in enumerate(surfaces):
-            axes = style.place(figure, left + index * (left + width + EDGE), TOP, width, HEIGHT)
-            _draw_map(axes, surface, scale, [each.at for each in levels])
-            _draw_undefined(axes, surface)
-            if track is not None:
-                _draw_track(axes, track)
-            below = ticks(surface.x[0], surface.x[-1], int(width / 9.0))
-            draw_frame(axes, below, marks[index], (across, up), grid=False)
-            quiet: dict[str, Any] = {"fontsize": style.SMALL, "color": style.FAINT}
-            axes.text(0.0, 1.0 + 1.2 / HEIGHT, surface.title, transform=axes.transAxes, **quiet)
-        axes = style.place(figure, style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT)
-        edges = np.linspace(least, most, 257)
-        middles = (edges[:-1] + edges[1:]) / 2.0
-        axes.pcolormesh([0, 1], edges, middles[:, None], cmap=style.heat(), norm=scale, rasterized=True)
-        draw_scale(axes, levels, beside)
+    first, (least, most) = surfaces[0], _range(surfaces)
+    up = lettering.wrapped(bracketed(first.up.name, first.up.unit), HEIGHT)
+    beside = lettering.wrapped(bracketed(first.name, first.unit), HEIGHT)
+    marks = [ticks(each.y[0], each.y[-1], 6) for each in surfaces]
+    levels = ticks(least, most, 9)
+    left = max(room_left(each, up) for each in marks)
+    bar = BESIDE + BAR + room_left(levels, beside)
+    width = (style.WIDTH - bar) / len(surfaces) - left - EDGE
+    across = lettering.wrapped(bracketed(first.across.name, first.across.unit), width)
+    figure = Figure(TOP + HEIGHT + room_below(across))
+    for index, surface in enumerate(surfaces):
+        axes = figure.place(left + index * (left + width + EDGE), TOP, width, HEIGHT, "map")
+        _draw_map(axes, surface, (least, most), [each.at for each in levels])
+        _draw_undefined(axes, surface)
+        if track is not None:
+            _draw_track(axes, track)
+        below = ticks(surface.x[0], surface.x[-1], int(width / 9.0))
+        draw_frame(axes, below, marks[index], (across, up), grid=False)
+        axes.add(Text(0.0, 1.0, surface.title, style.SMALL, style.FAINT, shift=(0.0, 1.2), parts=True))
+    axes = figure.place(style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT, "scale")
+    axes.y = (least, most)
+    axes.add(Image((0.0, 1.0), (least, most), raster.scale((1, raster.SHADES)), z=1))
+    draw_scale(axes, levels, beside)
     return figure
 
 
 def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
     """Return the output over the one input, hatched where no rule is active, with the visited stretch."""
-    with style.styled():
-        values = np.where(curve.undefined, np.nan, curve.values)
-        low, high = _limits(values, track)
-        name = style.wrapped(bracketed(curve.name, curve.unit), HEIGHT)
-        marks = ticks(low, high, 7)
-        margin = room_left(marks, name)
-        width = style.WIDTH - margin - EDGE
-        across = style.wrapped(bracketed(curve.across.name, curve.across.unit), width)
-        figure = style.blank(TOP + HEIGHT + room_below(across))
-        axes = style.place(figure, margin, TOP, width, HEIGHT)
-        axes.set(xlim=(curve.x[0], curve.x[-1]), ylim=(low, high))
-        axes.plot(curve.x, values, color=style.COLOURS[0], linewidth=1.3, zorder=4)
-        for start, end in stretches(curve.undefined):
-            left, right = curve.x[[max(start - 1, 0), min(end, len(curve.x) - 1)]]
-            style.hatch_span(axes, float(left), float(right))
-        if track is not None:
-            _draw_track(axes, track)
-        draw_frame(axes, ticks(curve.x[0], curve.x[-1], 14), marks, (across, name))
+    values = np.where(curve.undefined, np.nan, curve.values)
+    low, high = _limits(values, track)
+    name = lettering.wrapped(bracketed(curve.name, curve.unit), HEIGHT)
+    marks = ticks(low, high, 7)
+    margin = room_left(marks, name)
+    width = style.WIDTH - margin - EDGE
+    across = lettering.wrapped(bracketed(curve.across.name, curve.across.unit), width)
+    figure = Figure(TOP + HEIGHT + room_below(across))
+    axes = figure.place(margin, TOP, width, HEIGHT, "curve")
+    axes.x, axes.y = (float(curve.x[0]), float(curve.x[-1])), (low, high)
+    axes.add(Line(curve.x, values, style.COLOURS[0], 1.3, z=4, label="curve"))
+    for start, end in stretches(curve.undefined):
+        left, right = curve.x[[max(start - 1, 0), min(end, len(curve.x) - 1)]]
+        axes.add(span(axes, (float(left), float(right)), style.UNDEFINED, hatched=True, z=3))
+    if track is not None:
+        _draw_track(axes, track)
+    draw_frame(axes, ticks(curve.x[0], curve.x[-1], 14), marks, (across, name))
     return figure
 
 
@@ -101,47 +93,29 @@ def _range(surfaces: Sequence[Surface]) -> tuple[float, float]:
     return low, high if high > low else low + 1.0
 
 
-def _draw_map(axes: Axes, surface: Surface, scale: Normalize, levels: Sequence[float]) -> None:
-    shown = np.ma.masked_where(surface.undefined | ~np.isfinite(surface.values), surface.values)
-    axes.pcolormesh(surface.x, surface.y, shown, cmap=style.heat(), norm=scale, rasterized=True, zorder=1)
-    middles = [(edges[:-1] + edges[1:]) / 2.0 for edges in (surface.x, surface.y)]
-    if levels and shown.count() and float(np.ptp(shown.compressed())) > 0.0:
-        axes.contour(
-            *middles,
-            shown,
-            levels=levels,
-            colors=style.INK,
-            linewidths=0.35,
-            linestyles="solid",
-            alpha=0.55,
-            zorder=2,
-        )
-    axes.set_xlim(surface.x[0], surface.x[-1])
-    axes.set_ylim(surface.y[0], surface.y[-1])
+def _draw_map(axes: Axes, surface: Surface, scale: tuple[float, float], levels: Sequence[float]) -> None:
+    axes.x, axes.y = ((float(each[0]), float(each[-1])) for each in (surface.x, surface.y))
+    shown = np.where(surface.undefined, np.nan, surface.values)
+    size = (round(axes.width * PIXELS), round(axes.height * PIXELS))
+    axes.add(Image(axes.x, axes.y, raster.cells(surface.x, surface.y, shown, scale, size), z=1))
+    x, y = ((edges[:-1] + edges[1:]) / 2.0 for edges in (surface.x, surface.y))
+    lines = raster.contours(x, y, shown, levels)
+    axes.add(Line(*joined(lines), style.INK, 0.35, opacity=0.55, label="contours"))
 
 
 def _draw_undefined(axes: Axes, surface: Surface) -> None:
     """Hatch the cells in which no rule is active, and outline them."""
     if not surface.undefined.any():
         return
-    vertices: list[tuple[float, float]] = []
+    boxes: list[Values] = []
     for bottom, top, row in _bands(surface.undefined):
+        low, high = surface.y[bottom], surface.y[top]
         for start, end in row:
-            left, right = float(surface.x[start]), float(surface.x[end])
-            low, high = float(surface.y[bottom]), float(surface.y[top])
-            vertices += [(left, low), (right, low), (right, high), (left, high), (left, low)]
-    codes = [Path.MOVETO, *[Path.LINETO] * 3, Path.CLOSEPOLY] * (len(vertices) // 5)
-    axes.add_patch(
-        PathPatch(
-            Path(vertices, codes),
-            facecolor=style.UNDEFINED,
-            edgecolor=style.FAINT,
-            hatch="//////",
-            linewidth=0,
-            zorder=3,
-        )
-    )
-    axes.add_collection(LineCollection(_outline(surface), colors=style.FAINT, linewidths=0.6, zorder=3.1))
+            left, right = surface.x[start], surface.x[end]
+            boxes.append(np.array([(left, low), (right, low), (right, high), (left, high)]))
+    axes.add(Shape(*joined(boxes), style.UNDEFINED, hatched=True, z=3))
+    outline = joined([np.array(each) for each in _outline(surface)])
+    axes.add(Line(*outline, style.FAINT, 0.6, z=3.1))
 
 
 Stretches = tuple[tuple[int, int], ...]
@@ -175,22 +149,19 @@ def _outline(surface: Surface) -> list[list[tuple[float, float]]]:
 
 
 def _draw_track(axes: Axes, track: Track) -> None:
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    (left, right), (low, high) = axes.x, axes.y
     x, y, active = thinned_path(track, (right - left, high - low))
     if not len(x):
         return
-    line: dict[str, Any] = {"linewidth": 1.0, "path_effects": HALO, "solid_joinstyle": "round"}
-    axes.plot(x, y, color=style.INK, zorder=5, **line)
+    axes.add(Line(x, y, style.INK, 1.0, halo=HALO, z=5, label="track"))
     for start, end in stretches(~active):
         lost = slice(max(start - 1, 0), end + 1)
-        axes.plot(x[lost], y[lost], color=style.VIOLATION_EDGE, zorder=5.1, **line)
-    mark: dict[str, Any] = {"color": style.INK, "linestyle": "none", "clip_on": False, "zorder": 6}
-    if left <= x[0] <= right and low <= y[0] <= high:
-        axes.plot(x[:1], y[:1], "o", markersize=6.2, markerfacecolor=style.PAPER, markeredgewidth=0.9, **mark)
-    if left <= x[-1] <= right and low <= y[-1] <= high:
-        axes.plot(x[-1:], y[-1:], "s", markersize=3.4, path_effects=HALO, **mark)
-    axes.set_xlim(left, right)
-    axes.set_ylim(low, high)
+        axes.add(Line(x[lost], y[lost], style.VIOLATION_EDGE, 1.0, halo=HALO, z=5.1, label="track"))
+    first, last = (float(x[0]), float(y[0])), (float(x[-1]), float(y[-1]))
+    if left <= first[0] <= right and low <= first[1] <= high:
+        axes.add(Dot(*first, "circle", style.INK, 6.2, style.PAPER, z=6))
+    if left <= last[0] <= right and low <= last[1] <= high:
+        axes.add(Dot(*last, "square", style.INK, 4.4, halo=HALO, z=6))
 
 
 def thinned_path(

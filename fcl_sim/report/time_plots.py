@@ -2,17 +2,15 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from fcl_sim.judge.verdict import Band, Corridor, Verdict
 from fcl_sim.loop.trace import Trace, Values
-from fcl_sim.report import style
+from fcl_sim.report import lettering, style
 from fcl_sim.report.bands import draw_bands, draw_corridors, draw_violations, focus_on, worth_showing
+from fcl_sim.report.canvas import Axes, Dot, Figure, Line, Text, span, upright
 from fcl_sim.report.frame import draw_frame, room_below, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.stretches import stretches
@@ -23,6 +21,7 @@ ACROSS = style.WIDTH - LEFT - RIGHT
 HEADING = 4.2
 GAP = 1.9
 AFTER = 3.0
+LIFT = 0.45
 TALL, LOW = 18.0, 11.0
 """Heights in mm of an axis with a requirement and of one without."""
 
@@ -38,8 +37,12 @@ STRETCH = 1.6
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
 
-BUCKETS = 900
-"""A line is thinned to its extremes in so many stretches: finer than any printer."""
+BUCKETS = 600
+"""A line is thinned to its extremes in so many stretches: each narrower than the line."""
+
+
+STEP = 0.9
+"""What changes by this part of a stretch's range from one sample to the next is a step."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,17 +99,25 @@ def lanes(run: Shown) -> list[Lane]:
 
 
 def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Values, Values]:
-    """Return the points (m,) of a line (n,) that the eye sees: each bucket's first, least and largest."""
+    """Return the points (m,) of a line (n,) that the eye sees.
+
+    They are each bucket's first, least and largest, and of a step the point before it, so that it is upright.
+    """
     if len(time) <= 3 * buckets:
         return time, values
-    starts = np.linspace(0, len(time), buckets + 1).astype(np.int64)
-    keep = {0, len(time) - 1}
-    for start, end in pairwise(starts):
-        piece = values[start:end]
-        keep.add(int(start))
-        if np.isfinite(piece).any():
-            keep.update((int(start + np.nanargmin(piece)), int(start + np.nanargmax(piece))))
-    chosen = np.array(sorted(keep))
+    width = -(-len(time) // buckets)
+    padded = np.full(-(-len(time) // width) * width, np.nan)
+    padded[: len(values)] = values
+    pieces = np.where(np.isfinite(padded), padded, np.nan).reshape(-1, width)
+    starts = np.arange(len(pieces)) * width
+    least = np.where(np.isnan(pieces), np.inf, pieces).argmin(axis=1)
+    largest = np.where(np.isnan(pieces), -np.inf, pieces).argmax(axis=1)
+    extremes = np.concatenate([starts + least, starts + largest])
+    flat = pieces.ravel()
+    span = flat[starts + largest] - flat[starts + least]
+    jump = np.abs(flat[extremes] - flat[extremes - 1])
+    before = extremes[(extremes > 0) & (jump >= STEP * np.tile(span, 2))] - 1
+    chosen = np.unique(np.concatenate([starts, extremes, before, [len(time) - 1]]))
     return time[chosen], values[chosen]
 
 
@@ -130,34 +141,26 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     A lone run has its violations shaded over the height of the axis; of several
     each marks its own along the upper edge.
     """
-    with style.styled():
-        headings = [_heading_texts(lane, runs) for lane in shown]
-        labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
-        top = legend_height(labels)
-        above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
-        fixed = top + sum(above) + (len(shown) - 1) * GAP + room_below("time [s]")
-        whole = sum(lane.height for lane in shown)
-        scale = max(SQUEEZE, min(STRETCH if labels else 1.0, (TALLEST - fixed) / whole))
-        figure = style.blank(fixed + scale * whole)
-        draw_legend(figure, labels)
-        end = max(run.duration for run in runs)
-        for lane, texts, heading in zip(shown, headings, above, strict=True):
-            top += heading
-            height = scale * lane.height
-            axes = style.place(figure, LEFT, top, ACROSS, height)
-            axes.set_xlim(0.0, end)
-            _draw_lane(axes, lane, runs)
-            bottom = lane is shown[-1]
-            below = "time [s]" if bottom else ""
-            draw_frame(
-                axes,
-                ticks(0.0, end, 9),
-                ticks(*axes.get_ylim(), 4 if lane.judged else 3),
-                (below, ""),
-                labels=bottom,
-            )
-            _heading(axes, texts, lane, runs)
-            top += height + GAP
+    headings = [_heading_texts(lane, runs) for lane in shown]
+    labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
+    top = legend_height(labels)
+    above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
+    fixed = top + sum(above) + (len(shown) - 1) * GAP + room_below("time [s]")
+    whole = sum(lane.height for lane in shown)
+    scale = max(SQUEEZE, min(STRETCH if labels else 1.0, (TALLEST - fixed) / whole))
+    figure = Figure(fixed + scale * whole)
+    draw_legend(figure, labels)
+    end = max(run.duration for run in runs)
+    for lane, texts, heading in zip(shown, headings, above, strict=True):
+        top += heading
+        axes = figure.place(LEFT, top, ACROSS, scale * lane.height, lane.signal)
+        axes.x = (0.0, end)
+        _draw_lane(axes, lane, runs)
+        bottom = lane is shown[-1]
+        up = ticks(*axes.y, 4 if lane.judged else 3)
+        draw_frame(axes, ticks(0.0, end, 9), up, ("time [s]" if bottom else "", ""), labels=bottom)
+        _heading(axes, texts, lane, runs)
+        top += axes.height + GAP
     return figure
 
 
@@ -166,8 +169,8 @@ def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
     shown = [run.trace[lane.signal] for _, run in present]
     shown += [edge for each in _corridors(lane, runs) for edge in (np.array(each.low), np.array(each.high))]
-    axes.set_ylim(lane.focus or _limits(shown, bands))
-    draw_bands(axes, bands, style.size(axes)[1])
+    axes.y = lane.focus or _limits(shown, bands)
+    draw_bands(axes, bands)
     draw_corridors(axes, _corridors(lane, runs))
     for index, run in reversed(present):
         _draw_run(axes, lane, run, index, alone=len(runs) == 1)
@@ -177,11 +180,12 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
     time, values = thinned(run.trace.time, run.trace[lane.signal])
     colour, dashes = style.stroke(index)
     width = 1.1 if index == 0 else 0.9
-    axes.plot(time, values, color=colour, linestyle=dashes, linewidth=width, zorder=5 - 0.1 * index)
-    low, high = axes.get_ylim()
+    axes.add(Line(time, values, colour, width, dashes, z=5 - 0.1 * index, label="run"))
+    low, high = axes.y
     if len(time) and low <= values[-1] <= high:
-        mark, size = ("o", 3.2) if run.trace.fault is None else ("X", 5.0)
-        axes.plot(time[-1:], values[-1:], mark, color=colour, markersize=size, clip_on=False, zorder=6)
+        last = (float(time[-1]), float(values[-1]))
+        broke = run.trace.fault is not None
+        axes.add(Dot(*last, "cross", colour, 6.0, z=6) if broke else Dot(*last, "circle", colour, 4.2, z=6))
     violations = [
         each.violation
         for each in run.verdicts
@@ -227,21 +231,19 @@ def _heading_texts(lane: Lane, runs: Sequence[Shown]) -> tuple[str, str]:
     remark = (
         "close to its bounds" if lane.focus else "".join(f"= {one_line(each)} " for each in lane.names[1:])
     )
-    end = style.text_width(_end_text(lane, runs), style.SMALL)
-    if style.text_width(f"{name}  {remark}") + end < ACROSS - AFTER:
+    end = lettering.text_width(_end_text(lane, runs), style.SMALL)
+    if lettering.text_width(f"{name}  {remark}") + end < ACROSS - AFTER:
         return name, remark
-    return style.wrapped(f"{name}  {remark}", ACROSS - AFTER - end), ""
+    return lettering.wrapped(f"{name}  {remark}", ACROSS - AFTER - end), ""
 
 
 def _heading(axes: Axes, texts: tuple[str, str], lane: Lane, runs: Sequence[Shown]) -> None:
     text, remark = texts
-    axes.annotate(text, (0, 1), (0, 1.2), "axes fraction", "offset points", va="bottom")
-    quiet: dict[str, Any] = {"va": "bottom", "color": style.FAINT, "fontsize": style.SMALL}
+    axes.add(Text(0.0, 1.0, text, up="bottom", shift=(0.0, LIFT), parts=True))
+    quiet: dict[str, Any] = {"size": style.SMALL, "colour": style.FAINT, "up": "bottom", "parts": True}
     if remark:
-        left = (style.text_width(text) + AFTER) / 25.4 * 72.0
-        axes.annotate(remark, (0, 1), (left, 1.2), "axes fraction", "offset points", **quiet)
-    end = _end_text(lane, runs)
-    axes.annotate(end, (1, 1), (0, 1.2), "axes fraction", "offset points", ha="right", **quiet)
+        axes.add(Text(0.0, 1.0, remark, shift=(lettering.text_width(text) + AFTER, LIFT), **quiet))
+    axes.add(Text(1.0, 1.0, _end_text(lane, runs), across="right", shift=(0.0, LIFT), **quiet))
 
 
 def _end_text(lane: Lane, runs: Sequence[Shown]) -> str:
@@ -261,20 +263,21 @@ def _legend_text(run: Shown) -> str:
 
 def _mark_fault(axes: Axes, at: float, duration: float) -> None:
     """Draw where a run ended early; what is missing is grey."""
-    axes.axvspan(at, max(at, duration), facecolor=style.UNDEFINED, linewidth=0, zorder=3)
-    axes.axvline(at, color=style.INK, linewidth=1.4, zorder=7)
+    axes.add(span(axes, (at, max(at, duration)), style.UNDEFINED, z=3))
+    axes.add(upright(axes, at, style.INK, width=1.4, z=7))
     right = at > 0.7 * duration
-    axes.annotate(
-        f"FAULT at {number(at)} s",
-        (at, 0.86),
-        (-4 if right else 4, 0),
-        ("data", "axes fraction"),
-        "offset points",
-        ha="right" if right else "left",
-        va="center",
-        fontsize=style.SMALL,
-        fontweight="bold",
-        zorder=8,
+    axes.add(
+        Text(
+            at,
+            axes.part(0.86),
+            f"FAULT at {number(at)} s",
+            style.SMALL,
+            across="right" if right else "left",
+            up="center",
+            shift=(-1.4 if right else 1.4, 0.0),
+            bold=True,
+            z=8,
+        )
     )
 
 
@@ -286,5 +289,5 @@ def _mark_undefined(axes: Axes, lane: Lane, trace: Trace) -> None:
                 continue
             last = len(trace.ticks) - 1
             for start, end in stretches(~record.active[:, column]):
-                span = (float(trace.time[start]), float(trace.time[min(end, last)]))
-                style.hatch_span(axes, *span, top=0.14)
+                across = (float(trace.time[start]), float(trace.time[min(end, last)]))
+                axes.add(span(axes, across, style.UNDEFINED, (0.0, 0.14), hatched=True, z=3))

@@ -5,8 +5,9 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Literal
 
-import matplotlib as mpl
 import typst
+
+from fcl_sim.report.lettering import fonts
 
 PPI = 160
 """Dots per inch of a PNG."""
@@ -61,6 +62,5 @@ def sheet(folder: Path, kind: Literal["png", "svg", "pdf"], date: datetime) -> b
 
 def _compiler(folder: Path) -> typst.Compiler:
     """Return typst with its own fonts and matplotlib's, and nothing of the machine it runs on."""
-    shipped = [str(Path(mpl.get_data_path()) / "fonts" / "ttf")]
-    fonts = typst.Fonts(include_system_fonts=False, font_paths=shipped)
-    return typst.Compiler(root=str(folder), font_paths=fonts, ignore_system_fonts=True)
+    shipped = typst.Fonts(include_system_fonts=False, font_paths=[str(fonts())])
+    return typst.Compiler(root=str(folder), font_paths=shipped, ignore_system_fonts=True)

@@ -14,7 +14,8 @@ from math import floor
 from fcl_sim.loop.diagram import Wire
 from fcl_sim.loop.settings import AnyNode, signals_of, waits_for
 from fcl_sim.loop.wiring import Wiring
-from fcl_sim.report.style import HINTED, NORMAL, SMALL, text_width
+from fcl_sim.report.lettering import text_width
+from fcl_sim.report.style import HINTED, NORMAL, SMALL
 
 GRID = 3.5
 ENTRY, PASSING = 0.5 * GRID, (0.25 * GRID, 0.75 * GRID)

@@ -1,4 +1,4 @@
-"""Outcomes → files: one PDF, the results as JSON, the pictures as PNG; whole or not at all."""
+"""Outcomes → files: one PDF, the results as JSON, on request the pictures as PNG; whole or not at all."""
 
 import errno
 import json
@@ -22,6 +22,8 @@ LONGEST = 80
 """Characters of a file's stem; file systems take 255 bytes with the ending."""
 
 Progress = Callable[[int, int], None]
+Lap = Callable[[str], None]
+"""Is told what has just been done: `drawing`, `typesetting` or `writing`."""
 
 
 def write(
@@ -29,6 +31,9 @@ def write(
     folder: Path,
     progress: Progress | None = None,
     covered: Sequence[Coverage] | None = None,
+    *,
+    png: bool = False,
+    lap: Lap | None = None,
 ) -> list[Path]:
     """Write the report of a run into `folder`; return its files, the PDF first.
 
@@ -36,19 +41,31 @@ def write(
     at the end, file by file, so a run that is killed leaves old files or new
     ones, none half-written. `progress` is called with the pictures drawn and
     their number; `covered` is the coverage of the outcomes, where it is known.
+    With `png` each picture is written as one, too; without, one that a report
+    before has left under its name is removed, as it would show another run.
     InputFault where the system refuses.
     """
     date = date_of(outcomes)
     known = coverage(outcomes) if covered is None else covered
+    done = lap or _silent
     try:
         with workplace(folder) as work:
             shelf = Shelf()
             data = report_data(outcomes, shelf.add, known)
+            done("drawing")
             (work / RESULTS).write_text(results.text(outcomes, known), encoding="utf-8")
             (work / "report.json").write_text(json.dumps(data), encoding="utf-8")
+            done("writing")
             shelf.draw(work, progress or _silent)
+            done("drawing")
             (work / PDF).write_bytes(typeset.pdf(work, date))
-            return _move(work, folder, [*shelf.export(work), RESULTS, PDF])[::-1]
+            names = [*(shelf.export(work) if png else []), RESULTS, PDF]
+            done("typesetting")
+            moved = _move(work, folder, names)[::-1]
+            for each in () if png else shelf.pngs:
+                (folder / each).unlink(missing_ok=True)
+            done("writing")
+            return moved
     except OSError as error:
         raise refused(error, folder) from error
 
@@ -69,6 +86,11 @@ class Shelf:
         self._pictures[name] = picture
         return f"{name}.svg"
 
+    @property
+    def pngs(self) -> list[str]:
+        """Names of the pictures' files as PNG."""
+        return [f"{name}.png" for name in self._pictures]
+
     def draw(self, work: Path, progress: Progress) -> None:
         """Draw every picture into `work` as SVG."""
         for done, (name, picture) in enumerate(self._pictures.items()):
@@ -82,10 +104,9 @@ class Shelf:
         """Write every drawn picture as PNG; return the files' names."""
         svgs = [f"{name}.svg" for name in self._pictures]
         (work / "gallery.json").write_text(json.dumps(svgs), encoding="utf-8")
-        names = [f"{name}.png" for name in self._pictures]
-        for name, png in zip(names, typeset.pngs(work) if svgs else [], strict=True):
+        for name, png in zip(self.pngs, typeset.pngs(work) if svgs else [], strict=True):
             (work / name).write_bytes(png)
-        return names
+        return self.pngs
 
 
 def slug(name: str) -> str:
@@ -114,5 +135,5 @@ def refused(error: OSError, folder: Path) -> InputFault:
     )
 
 
-def _silent(done: int, total: int) -> None:
-    """Take no notice of how far the drawing is."""
+def _silent(*_: object) -> None:
+    """Take no notice."""

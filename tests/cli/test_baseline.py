@@ -147,7 +147,7 @@ def test_every_figure_stands_beside_that_of_a_revision(invoke, bench):
 def test_every_figure_stands_beside_that_of_an_older_rule_base_and_the_signals_are_drawn(invoke, bench):
     (bench / "old.fcl").write_text((bench / FCL).read_text("utf-8").replace("container_crane_25", "older"))
     edit(bench, FCL, POINT, MOVED)
-    result = invoke("run", "--against", "old.fcl")
+    result = invoke("run", "--against", "old.fcl", "--png")
     assert row(result.stdout, "S-1")[-2:] == ["worse", "PASS"]
     drawn = bench / "reports/crane/short"
     assert (drawn / "base-against.png").read_bytes().startswith(b"\x89PNG")

@@ -106,7 +106,7 @@ def test_a_run_that_is_ended_leaves_no_half_written_file(bench, sent):
 def reports(bench, finish):
     """Run the bench, let `finish` end the process, return its visible files below reports/."""
     with subprocess.Popen(
-        [sys.executable, "-m", "fcl_sim", "run"],
+        [sys.executable, "-m", "fcl_sim", "run", "--png"],
         cwd=bench,
         env=environment(),
         stdout=subprocess.DEVNULL,

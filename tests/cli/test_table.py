@@ -3,9 +3,9 @@ import io
 import pytest
 from rich.console import Console
 
-from fcl_sim.cli.table import print_verdicts
+from fcl_sim.cli.table import print_runs, print_verdicts
 from fcl_sim.judge.verdict import Status
-from fcl_sim.report.summary import Row
+from fcl_sim.report.summary import Row, RunRow
 
 
 def row(scenario, variant, requirement, status, note=""):
@@ -43,6 +43,54 @@ def test_a_wide_terminal_shows_a_row_for_each_verdict_and_says_scenario_and_vari
         "                              CR-2         at most 35 s    18.4 s  FAIL",
         "                raw_distance  CR-1         at most 35 s    18.4 s  PASS (not met, as expected)",
         "crane/printed   base          CR-1         at most 35 s    18.4 s  FAULT",
+    ]
+
+
+RUNS = [
+    RunRow(
+        scenario="crane/transfer",
+        variant="base",
+        requirements="9 of 9",
+        envelope="8 of 8 at 175 points",
+        status=Status.PASS,
+    ),
+    RunRow(
+        scenario="crane/transfer",
+        variant="raw",
+        requirements="9 of 9, 7 expected misses",
+        envelope="",
+        status=Status.PASS,
+    ),
+    RunRow(scenario="pi/draft", variant="base", requirements="1 of 2", envelope="", status=Status.FAIL),
+]
+
+
+def runs(rows, width):
+    stream = io.StringIO()
+    print_runs(rows, Console(file=stream, width=width, highlight=False))
+    return [line.rstrip() for line in stream.getvalue().splitlines()]
+
+
+def test_each_run_is_a_line_with_how_many_of_its_requirements_are_met():
+    assert runs(RUNS, 110) == [
+        "scenario        variant  requirements               over its envelope     verdict",
+        "crane/transfer  base     9 of 9                     8 of 8 at 175 points  PASS",
+        "                raw      9 of 9, 7 expected misses                        PASS",
+        "pi/draft        base     1 of 2                                           FAIL",
+    ]
+
+
+def test_where_no_run_has_an_envelope_there_is_no_column_for_it():
+    assert runs(RUNS[1:], 110)[0].split() == ["scenario", "variant", "requirements", "verdict"]
+
+
+def test_on_a_narrow_terminal_scenarios_stand_on_lines_of_their_own():
+    assert runs(RUNS, 80) == [
+        "crane/transfer",
+        "base     9 of 9                     8 of 8 at 175 points  PASS",
+        "raw      9 of 9, 7 expected misses                        PASS",
+        "pi/draft",
+        "base     1 of 2                                           FAIL",
     ]
 
 

@@ -2,35 +2,38 @@
 
 from itertools import combinations
 
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.text import Text
-from matplotlib.transforms import Bbox
+from fcl_sim.report.canvas import Axes, Figure, Text
+from fcl_sim.report.vector import extent
 
-from fcl_sim.report.style import styled
+SLACK = 0.15
+"""Millimetres by which extents may overlap: the box of a text is larger than its letters."""
 
-SLACK = 0.6
-"""Pixels by which extents may overlap: the box of a text is larger than its letters."""
+Box = tuple[float, float, float, float]
 
 
-def texts(figure: Figure) -> list[tuple[str, Bbox]]:
-    """Return every text that is drawn, with its box in pixels."""
-    with styled():
-        canvas = FigureCanvasAgg(figure)
-        canvas.draw()
-        axis = [axis for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
-        unused = {text for each in axis for text in each.findobj(Text)}
-        artists = [each for each in figure.findobj(Text) if each.get_text().strip() and each not in unused]
-        return [(each.get_text(), each.get_window_extent(canvas.get_renderer())) for each in artists]
+def texts(figure: Figure) -> list[tuple[str, Box]]:
+    """Return every text that is drawn, with its left, upper, right and lower end in mm."""
+    return [
+        (each.text, box(axes, each)) for axes in figure.axes for each in axes.of(Text) if each.text.strip()
+    ]
+
+
+def box(axes: Axes, text: Text) -> Box:
+    (left, right), (low, high) = ((0.0, 1.0), (0.0, 1.0)) if text.parts else (axes.x, axes.y)
+    x = axes.left + axes.width * (text.x - left) / (right - left) + text.shift[0]
+    y = axes.top + axes.height * (1.0 - (text.y - low) / (high - low)) - text.shift[1]
+    first, upper, last, lower = extent(text)
+    if text.turned:
+        return x + upper, y - last, x + lower, y - first
+    return x + first, y + upper, x + last, y + lower
 
 
 def cut(figure: Figure) -> list[str]:
     """Return the texts that reach over the edge of a figure."""
-    width, height = figure.bbox.width, figure.bbox.height
     return [
         text
-        for text, box in texts(figure)
-        if box.x0 < -SLACK or box.y0 < -SLACK or box.x1 > width + SLACK or box.y1 > height + SLACK
+        for text, (left, upper, right, lower) in texts(figure)
+        if min(left, upper) < -SLACK or right > figure.width + SLACK or lower > figure.height + SLACK
     ]
 
 
@@ -39,5 +42,5 @@ def clashes(figure: Figure) -> list[tuple[str, str]]:
     return [
         (one, other)
         for (one, a), (other, b) in combinations(texts(figure), 2)
-        if min(a.x1, b.x1) - max(a.x0, b.x0) > SLACK and min(a.y1, b.y1) - max(a.y0, b.y0) > SLACK
+        if min(a[2], b[2]) - max(a[0], b[0]) > SLACK and min(a[3], b[3]) - max(a[1], b[1]) > SLACK
     ]

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from fcl_sim.block import loads
 from fcl_sim.loop.trace import FuzzyRecord
+from fcl_sim.report.canvas import Line, Shape
 from fcl_sim.report.characteristics import characteristic, over_inputs
 from fcl_sim.report.sampling import Track, closer, curve, domains, following, surface
 from fcl_sim.report.style import VIOLATION_EDGE
@@ -119,7 +120,7 @@ def test_a_thinned_path_keeps_where_rules_stop_being_active():
 
 def test_the_way_without_an_active_rule_is_drawn_in_another_colour(tmp_path):
     (picture,) = over_inputs(run(tmp_path))
-    colours = [line.get_color() for line in picture.draw().axes[0].lines]
+    colours = [line.colour for line in picture.draw().axes[0].of(Line)]
     assert colours.count(VIOLATION_EDGE) == 1
 
 
@@ -132,7 +133,7 @@ def test_two_inputs_make_a_map_with_the_run_on_it(tmp_path):
     figure = picture.draw()
     drawn = [text for text, _ in texts(figure)]
     assert {"distance [m]", "angle [deg]", "power [kW]"} <= set(drawn)
-    assert any(patch.get_hatch() for axes in figure.axes for patch in axes.patches)
+    assert any(each.hatched for axes in figure.axes for each in axes.of(Shape))
 
 
 def test_one_input_makes_a_curve():

@@ -11,6 +11,7 @@ from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.explain import Activated, Explanation, Origin
 from fcl_sim.engine.instance import Instance
 from fcl_sim.model import Point, Points, Term
+from fcl_sim.report.canvas import Dot, Line, Shape, Text
 from fcl_sim.report.inference import PAGE, draw, picture, pictures
 from fcl_sim.report.inference_rules import LINES
 from fcl_sim.report.inference_shapes import activated_line, line_over
@@ -31,11 +32,21 @@ def drawn(block, units=None, **values):
 
 
 def axes_of(figure, label):
-    return [axes for axes in figure.axes if axes.get_label() == label]
+    return [axes for axes in figure.axes if axes.label == label]
 
 
 def lines(axes, label):
-    return [line for line in axes.lines if line.get_label() == label]
+    return axes.of(Line, label)
+
+
+def dots(axes):
+    """Return place and degree of each dot."""
+    return [(each.x, each.y) for each in axes.of(Dot, "degree")]
+
+
+def bars(figure):
+    """Return what the bars of degrees are called, in their order."""
+    return [each.label for each in figure.axes[0].of(Shape) if each.label.startswith("degree")]
 
 
 def written(figure):
@@ -49,36 +60,31 @@ def test_each_input_has_its_value_as_a_line_and_a_dot_at_each_degree_above_0():
     figure, explanation = drawn(crane(), **C8)
     for told in explanation.fuzzified:
         (axes,) = axes_of(figure, f"input {told.variable}")
-        (line,) = lines(axes, "_value")
-        assert list(line.get_xdata()) == [told.value] * 2
-        dots = [(line.get_xdata()[0], line.get_ydata()[0]) for line in lines(axes, "_degree")]
-        assert dots == [(told.value, each.degree) for each in told.degrees if each.degree > 0.0]
-        assert len(lines(axes, "_term")) == len(told.degrees)
+        (line,) = lines(axes, "value")
+        assert line.x == [told.value] * 2
+        assert dots(axes) == [(told.value, each.degree) for each in told.degrees if each.degree > 0.0]
+        assert len(lines(axes, "term")) == len(told.degrees)
 
 
 def test_the_dot_of_a_degree_lies_on_its_term():
     figure, _ = drawn(nested(), temperature=30.0, x=3.0, ready=0.6)
     for label, count in (("input temperature", 2), ("input x", 1)):
         (axes,) = axes_of(figure, label)
-        terms = {line.get_color(): line.get_data() for line in lines(axes, "_term")}
-        dots = lines(axes, "_degree")
-        assert len(dots) == count
-        for dot in dots:
-            on_term = np.interp(dot.get_xdata(), *terms[dot.get_color()])
-            assert on_term == pytest.approx(dot.get_ydata(), abs=1e-3)
+        terms = {line.colour: (line.x, line.y) for line in lines(axes, "term")}
+        found = axes.of(Dot, "degree")
+        assert len(found) == count
+        for dot in found:
+            assert np.interp(dot.x, *terms[dot.colour]) == pytest.approx(dot.y, abs=1e-3)
 
 
 def test_each_rule_that_fired_has_the_degrees_of_its_conditions_and_its_own():
     figure, explanation = drawn(three(), **C8)
     shown = {
-        variable: [
-            lines(axes, "_degree")[0].get_ydata()[0] for axes in axes_of(figure, f"condition {variable}")
-        ]
+        variable: [dots(axes)[0][1] for axes in axes_of(figure, f"condition {variable}")]
         for variable in ("distance", "angle")
     }
     assert shown == {"distance": [5 / 6, 5 / 6, 1 / 6], "angle": [0.8, 0.2, 0.2]}
-    bars = [patch.get_label() for patch in figure.axes[0].patches if patch.get_label().startswith("_degree")]
-    assert bars == [f"_degree {each.degree!r}" for each in explanation.aggregated]
+    assert bars(figure) == [f"degree {each.degree!r}" for each in explanation.aggregated]
     for formula in ("MIN(0.8333, 0.8) = 0.8", "MIN(0.8333, 0.2) = 0.2", "MIN(0.1667, 0.2) = 0.1667"):
         assert formula in written(figure)
 
@@ -86,23 +92,22 @@ def test_each_rule_that_fired_has_the_degrees_of_its_conditions_and_its_own():
 def test_a_negated_condition_is_drawn_with_the_degree_of_not():
     figure, _ = drawn(nested(), temperature=20.0, x=3.0, ready=0.6)
     (axes,) = axes_of(figure, "condition temperature")[:1]
-    (dot,) = lines(axes, "_degree")
-    (term,) = lines(axes, "_term")
-    assert dot.get_ydata()[0] == 0.5
-    assert np.interp(20.0, *term.get_data()) == 0.5
-    assert np.interp(39.0, *term.get_data()) == pytest.approx(0.975)
+    (term,) = lines(axes, "term")
+    assert dots(axes)[0][1] == 0.5
+    assert np.interp(20.0, term.x, term.y) == 0.5
+    assert np.interp(39.0, term.x, term.y) == pytest.approx(0.975)
 
 
 def test_singletons_have_stems_up_to_their_degrees_and_the_result_is_a_line():
     figure, explanation = drawn(three(), units=UNITS, **C8)
     (axes,) = axes_of(figure, "output power")
-    stems = [(line.get_xdata()[0], line.get_ydata()[0]) for line in lines(axes, "_degree")]
+    stems = dots(axes)
     (told,) = explanation.accumulated
     (result,) = explanation.defuzzified
     assert stems == [(x, each.degree) for x, each in zip(result.places, told.degrees, strict=True)]
     assert stems == [(0.0, 0.2), (9.0, 0.8)]
-    (line,) = lines(axes, "_result")
-    assert list(line.get_xdata()) == [7.2, 7.2]
+    (line,) = lines(axes, "result")
+    assert line.x == [7.2, 7.2]
     blank = "\N{NO-BREAK SPACE}"
     assert {f"7.2{blank}kW", f"distance = 12{blank}m", f"angle = 4{blank}deg"} <= set(written(figure))
     assert "power = (0 · 0.2 + 9 · 0.8) / (0.2 + 0.8) = 7.2  (CoGS)" in written(figure)
@@ -113,20 +118,19 @@ def test_a_conclusion_has_its_stem_at_its_activated_degree():
     for each in explanation.activated:
         if each.variable == "speed":
             (axes,) = axes_of(figure, f"conclusion {each.rule} speed")
-            (dot,) = lines(axes, "_degree")
             place = 7.0 if each.term == "slow" else 100.0 - 55.5 / 2.0
-            assert (dot.get_xdata()[0], dot.get_ydata()[0]) == (place, each.degree)
+            assert dots(axes) == [(place, each.degree)]
 
 
 @pytest.mark.parametrize(("activation", "accumulation"), [("MIN", "MAX"), ("PROD", "MAX"), ("MIN", "BSUM")])
 def test_the_accumulated_area_is_that_of_the_explanation_to_the_last_bit(activation, accumulation):
     figure, explanation = drawn(tip(activation, accumulation), service=3.2, food=2.2)
     (axes,) = axes_of(figure, "output tip")
-    (area,) = lines(axes, "_area")
-    vertices = tuple(zip(*(each.tolist() for each in area.get_data()), strict=True))
+    (area,) = lines(axes, "area")
+    vertices = tuple(zip(area.x.tolist(), area.y.tolist(), strict=True))
     assert vertices == explanation.accumulated[0].area
-    (line,) = lines(axes, "_result")
-    assert list(line.get_xdata()) == [explanation.defuzzified[0].value] * 2
+    (line,) = lines(axes, "result")
+    assert line.x == [explanation.defuzzified[0].value] * 2
 
 
 @pytest.mark.parametrize("activation", ["MIN", "PROD"])
@@ -136,8 +140,8 @@ def test_the_activated_areas_of_the_rules_make_the_accumulated_one(activation):
     whole = np.zeros_like(xs)
     for rule in explanation.fired:
         (axes,) = axes_of(figure, f"conclusion {rule} tip")
-        (area,) = lines(axes, "_area")
-        whole = np.maximum(whole, np.interp(xs, *area.get_data(), left=0.0, right=0.0))
+        (area,) = lines(axes, "area")
+        whole = np.maximum(whole, np.interp(xs, area.x, area.y, left=0.0, right=0.0))
     told = np.array(explanation.accumulated[0].area).T
     assert whole == pytest.approx(np.interp(xs, *told, left=0.0, right=0.0), abs=1e-12)
 
@@ -185,18 +189,16 @@ def test_only_rules_that_fired_have_rows_and_the_others_are_counted():
 def test_many_rules_have_a_line_each_and_every_one_its_bar():
     figure, explanation = drawn(grid(7, smooth=True), error=2.3, change=1.6)
     assert len(explanation.fired) == 49
-    bars = [patch.get_label() for patch in figure.axes[0].patches if patch.get_label().startswith("_degree")]
-    assert bars == [f"_degree {each.degree!r}" for each in explanation.aggregated]
+    assert bars(figure) == [f"degree {each.degree!r}" for each in explanation.aggregated]
     assert axes_of(figure, "condition error") == []
-    assert figure.get_size_inches()[1] * 25.4 < 320.0
+    assert figure.height < 320.0
 
 
 def test_of_very_many_rules_those_of_the_largest_degrees_are_shown():
     figure, explanation = drawn(grid(11, smooth=True), error=2.3, change=1.6)
-    bars = [patch.get_label() for patch in figure.axes[0].patches if patch.get_label().startswith("_degree")]
     degrees = sorted((each.degree for each in explanation.aggregated if each.degree > 0.0), reverse=True)
-    assert len(bars) == LINES
-    assert sorted(bars) == sorted(f"_degree {each!r}" for each in degrees[:LINES])
+    assert len(bars(figure)) == LINES
+    assert sorted(bars(figure)) == sorted(f"degree {each!r}" for each in degrees[:LINES])
     left = f"{len(degrees) - LINES} rules more fired, by at most {number(degrees[LINES])}"
     assert f"Shown are the {LINES} of the largest degrees; {left}." in written(figure)
 
@@ -205,8 +207,8 @@ def test_where_no_rule_fired_the_default_is_shown_and_said():
     figure, explanation = drawn(crane(), distance=-10.0, angle=0.0)
     assert explanation.fired == ()
     (axes,) = axes_of(figure, "output power")
-    assert lines(axes, "_degree") == []
-    assert list(lines(axes, "_result")[0].get_xdata()) == [0.0, 0.0]
+    assert dots(axes) == []
+    assert lines(axes, "result")[0].x == [0.0, 0.0]
     assert {"0 (DEFAULT)", "power = 0: no rule is active, DEFAULT"} <= set(written(figure))
 
 
@@ -223,15 +225,15 @@ def test_formulae_are_written_with_what_they_gave_or_that_nothing_was_calculated
     assert explanation.defuzzified[0].origin is Origin.DEFAULT
     assert any(text.startswith("Not calculated, as no rule is active: slow") for text in written(figure))
     (axes,) = axes_of(figure, "output speed")
-    assert lines(axes, "_degree") == []
+    assert dots(axes) == []
 
 
 def test_a_value_far_from_all_terms_is_an_arrow_at_the_end_of_the_axis():
     figure, _ = drawn(crane(), distance=12.0, angle=1e9)
     (axes,) = axes_of(figure, "input angle")
-    assert axes.get_xlim()[1] < 60.0
-    assert lines(axes, "_value") == []
-    assert [line.get_marker() for line in axes.lines if line.get_marker() == ">"] == [">"]
+    assert axes.x[1] < 60.0
+    assert lines(axes, "value") == []
+    assert [each.kind for each in axes.of(Dot)] == ["right"]
     assert "angle = 1e9" in written(figure)
 
 
@@ -247,7 +249,7 @@ def test_an_explanation_without_a_number_as_its_result_is_drawn_without_a_line()
     (result,) = explanation.defuzzified
     broken = replace(explanation, defuzzified=(replace(result, value=float("nan")),))
     (axes,) = axes_of(draw(block.function_block, broken), "output power")
-    assert lines(axes, "_result") == []
+    assert lines(axes, "result") == []
 
 
 # -- whether it can be read
@@ -287,10 +289,10 @@ def test_a_long_inference_is_parted_into_pages_that_lose_nothing():
     assert [each.name for each in parts] == ["inference-1", "inference-2"]
     assert parts[1].caption.endswith("Part 2 of 2.")
     figures = [each.draw() for each in parts]
-    assert all(figure.get_size_inches()[1] * 25.4 <= PAGE for figure in figures)
+    assert all(figure.height <= PAGE for figure in figures)
     both = [text for figure in figures for text in written(figure)]
     assert sorted(both) == sorted(written(draw(block.function_block, explanation)))
-    headings = [figure.axes[0].texts[-1].get_text() for figure in figures]
+    headings = [figure.axes[0].of(Text)[-1].text for figure in figures]
     assert "Accumulation and defuzzification" not in headings
 
 
@@ -331,7 +333,7 @@ def test_an_explanation_is_drawn_of_a_block_that_remembers():
     instance(service=7.5, food=8.0)
     explanation: Explanation = instance.explain(service=20.0, food=5.0)
     (axes,) = axes_of(draw(tip().function_block, explanation), "output tip")
-    assert list(lines(axes, "_result")[0].get_xdata()) == [instance.tip] * 2
+    assert lines(axes, "result")[0].x == [instance.tip] * 2
 
 
 def test_a_heading_does_not_end_a_page():
@@ -353,6 +355,6 @@ def test_an_input_kept_in_its_range_shows_its_value_and_where_its_degrees_are_ta
     )
     figure = draw(kept, Instance(kept, assemble(kept)).explain(distance=12.0, angle=4.0))
     (axes,) = axes_of(figure, "input distance")
-    assert [line.get_xdata()[0] for line in lines(axes, "_value") + lines(axes, "_clamped")] == [12.0, 10.0]
-    assert [(line.get_xdata()[0], line.get_ydata()[0]) for line in lines(axes, "_degree")] == [(10.0, 1.0)]
+    assert [line.x[0] for line in lines(axes, "value") + lines(axes, "clamped")] == [12.0, 10.0]
+    assert dots(axes) == [(10.0, 1.0)]
     assert "distance = 12, taken as 10" in written(figure)

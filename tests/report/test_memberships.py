@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from fcl_sim.block import loads
 from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.model import Curve, CurveKind, Point, Points, Singleton, Singletons, Term
+from fcl_sim.report.canvas import Dot, Line
 from fcl_sim.report.characteristics import memberships
 from fcl_sim.report.memberships import Panel, Visit, membership_plot, panels
 from fcl_sim.report.terms import abscissae, extent, standing
@@ -32,18 +33,18 @@ def test_every_variable_has_an_axis_with_its_unit_and_every_term_its_name():
 
 def test_singletons_are_stems_at_their_places():
     figure = drawn()
-    stems = [line.get_xdata()[0] for line in figure.axes[2].lines if len(line.get_xdata()) == 1]
+    stems = [each.x for each in figure.axes[2].of(Dot, "stem")]
     assert sorted(stems) == [-27.0, -9.0, 0.0, 9.0, 27.0]
 
 
 def test_a_term_is_drawn_from_its_first_degree_above_0_to_its_last():
     figure = drawn()
-    close = next(line for line in figure.axes[0].lines if list(line.get_xdata()) == [0.0, 5.0, 10.0])
-    assert list(close.get_ydata()) == [0.0, 1.0, 0.0]
+    close = next(line for line in figure.axes[0].of(Line, "term") if list(line.x) == [0.0, 5.0, 10.0])
+    assert list(close.y) == [0.0, 1.0, 0.0]
 
 
 def test_what_a_run_visited_widens_the_axis_within_reason():
-    near, far = (drawn(Visit("base", low, 30.0)).axes[0].get_xlim() for low in (-20.0, -1e9))
+    near, far = (drawn(Visit("base", low, 30.0)).axes[0].x for low in (-20.0, -1e9))
     assert near[0] < -20.0
     assert -100.0 < far[0] < -50.0
 
@@ -181,7 +182,7 @@ def test_a_term_that_is_a_formula_is_written_with_it():
 
 def test_a_variable_of_formulae_alone_has_no_axis():
     figure = memberships(loads(FORMULAE), {}, "terms")[0].draw()
-    assert [len(axes.lines) > 0 for axes in figure.axes] == [True, False, True]
+    assert [len(axes.of(Line)) > 0 for axes in figure.axes] == [True, False, True]
 
 
 def test_a_smooth_term_is_told_by_its_shape():
@@ -194,8 +195,7 @@ def test_a_smooth_term_is_told_by_its_shape():
 
 def test_a_smooth_curve_is_drawn_as_far_as_its_axis_goes():
     figure = memberships(loads(FORMULAE), {}, "terms")[0].draw()
-    (low, high) = figure.axes[0].get_xlim()
-    near = max(figure.axes[0].lines, key=lambda line: len(line.get_xdata()))
-    xs, degrees = near.get_data()
-    assert (xs[0], xs[-1]) == (low, high)
-    assert degrees == pytest.approx(np.exp(-(xs**2) / 8.0), abs=1e-9)
+    (low, high) = figure.axes[0].x
+    near = max(figure.axes[0].of(Line, "term"), key=lambda line: len(line.x))
+    assert (near.x[0], near.x[-1]) == (low, high)
+    assert near.y == pytest.approx(np.exp(-(np.square(near.x)) / 8.0), abs=1e-9)

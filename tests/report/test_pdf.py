@@ -46,7 +46,7 @@ def outcomes(tmp_path_factory):
 @pytest.fixture(scope="module")
 def folder(outcomes, tmp_path_factory):
     place = tmp_path_factory.mktemp("reports")
-    write(outcomes, place)
+    write(outcomes, place, png=True)
     return place
 
 

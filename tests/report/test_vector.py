@@ -37,7 +37,7 @@ def test_what_the_font_lacks_stands_apart_in_its_place():
     spans = line.findall("svg:tspan", NAMES)
     assert [span.text for span in spans[:2]] == ["ab", "漢字"]
     assert "".join(line.itertext()).startswith("ab漢字cd [m]")
-    assert [LAST_RESORT in span.get("style", "") for span in spans] == [False, True, False]
+    assert [span.get("font-family") == LAST_RESORT for span in spans] == [False, True, False]
     places = [float(span.get("x", "nan")) for span in spans]
     assert places == sorted(places)
     assert places[0] == pytest.approx(float(line.get("x", "nan")), abs=1e-3)

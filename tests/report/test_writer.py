@@ -33,8 +33,8 @@ def everything(folder: Path) -> dict[str, bytes]:
 def test_two_reports_from_the_same_inputs_are_the_same_bytes(small, tmp_path, monkeypatch):
     monkeypatch.delenv("SOURCE_DATE_EPOCH", raising=False)
     first, second = tmp_path / "first", tmp_path / "second"
-    written = write(small, first)
-    write(small, second)
+    written = write(small, first, png=True)
+    write(small, second, png=True)
     assert written[0] == first / "report.pdf"
     assert sorted(str(each.relative_to(first)) for each in written) == sorted(everything(first))
     assert sorted(everything(first)) == [
@@ -45,6 +45,19 @@ def test_two_reports_from_the_same_inputs_are_the_same_bytes(small, tmp_path, mo
         "rule-bases/crane-terms.png",
     ]
     assert everything(first) == everything(second)
+
+
+def test_pictures_are_written_on_request_and_those_of_an_older_report_do_not_stay(small, tmp_path):
+    write(small, tmp_path / "reports", png=True)
+    (tmp_path / "reports" / "crane" / "mine.png").write_text("mine")
+    write(small, tmp_path / "reports")
+    assert sorted(everything(tmp_path / "reports")) == ["crane/mine.png", "report.pdf", "results.json"]
+
+
+def test_what_is_done_is_told_in_its_order(small, tmp_path):
+    told: list[str] = []
+    write(small, tmp_path / "reports", lap=told.append)
+    assert told == ["drawing", "writing", "drawing", "typesetting", "writing"]
 
 
 def test_a_report_replaces_the_one_before_and_leaves_other_files_alone(small, tmp_path):

@@ -1,0 +1,93 @@
+"""The letters of figures: how wide a text is, and how it is broken or cut to fit."""
+
+from functools import cache, lru_cache
+from pathlib import Path
+
+import matplotlib as mpl
+from matplotlib.ft2font import FT2Font, LoadFlags
+
+from fcl_sim.report.style import NORMAL
+
+ASCENT, DESCENT = 0.76, 0.24
+"""What letters take above and below their line, in parts of their size."""
+CAPITALS = 0.73
+STEP = 1.16
+"""From line to line."""
+
+EM = 2048
+"""Units of the font in its size."""
+
+
+def fonts() -> Path:
+    """Return the folder of the fonts that figures are set in."""
+    return Path(mpl.get_data_path()) / "fonts" / "ttf"
+
+
+@cache
+def _font(*, bold: bool) -> FT2Font:
+    return FT2Font(str(fonts() / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")))
+
+
+@lru_cache(maxsize=4096)
+def _advance(letter: str, *, bold: bool) -> float:
+    """Return the width of a letter in parts of its size."""
+    font = _font(bold=bold)
+    glyph = font.get_char_index(ord(letter))  # 0, a box, where the font lacks it
+    return float(font.load_glyph(glyph, flags=LoadFlags.NO_SCALE).horiAdvance) / EM
+
+
+@cache
+def _letters() -> frozenset[int]:
+    return frozenset(_font(bold=False).get_charmap())
+
+
+def known(letter: str) -> bool:
+    """Return whether the font of figures has a letter."""
+    return ord(letter) in _letters()
+
+
+@lru_cache(maxsize=4096)
+def text_width(text: str, size: float = NORMAL, *, bold: bool = False) -> float:
+    """Return the width of one line of text in mm."""
+    return sum(_advance(each, bold=bold) for each in text) * size / 72.0 * 25.4
+
+
+def wrapped(text: str, width: float, size: float = NORMAL) -> str:
+    """Break text into lines of at most `width` mm: at blanks, after `.`, `_`, `/`, else anywhere.
+
+    A number is broken only where nothing else helps.
+    """
+    lines: list[str] = []
+    line = ""
+    for piece in _pieces(text):
+        if line and text_width(line + piece, size) > width:
+            lines.append(line.rstrip())
+            line = ""
+        line += piece if line else piece.lstrip()
+        while text_width(line, size) > width and len(line) > 1:
+            cut = max(1, int(len(line) * width / text_width(line, size)) - 1)
+            lines.append(line[:cut])
+            line = line[cut:]
+    return "\n".join([*lines, line.rstrip()])
+
+
+def _pieces(text: str) -> list[str]:
+    pieces = [""]
+    for character, after in zip(text, (text + " ")[1:], strict=True):
+        pieces[-1] += character
+        if character in " ._/," and not (character == "." and after.isdigit()):
+            pieces.append("")
+    return [piece for piece in pieces if piece]
+
+
+def cut(text: str, width: float, size: float = NORMAL) -> str:
+    """Return text of at most `width` mm: what is too long loses its middle to an ellipsis."""
+    if text_width(text, size) <= width:
+        return text
+    kept = len(text)
+    while kept > 2:
+        kept = min(kept - 1, int(kept * width / max(text_width(text[:kept], size), 1e-9)))
+        shorter = text[: (kept + 1) // 2] + "…" + text[len(text) - kept // 2 :]
+        if text_width(shorter, size) <= width:
+            return shorter
+    return "…"

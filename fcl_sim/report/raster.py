@@ -1,0 +1,81 @@
+"""Numbers on a grid → a picture of coloured cells, and lines of equal height."""
+
+import struct
+import zlib
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+from contourpy import contour_generator
+from numpy.typing import NDArray
+
+from fcl_sim.loop.trace import Values
+from fcl_sim.report import style
+
+SHADES = 255
+"""Colours of a map; one index is kept for the paper."""
+NONE = SHADES
+
+
+def cells(x: Values, y: Values, values: Values, range_: tuple[float, float], size: tuple[int, int]) -> bytes:
+    """Return cells (m, n) between the edges `x` (n + 1,) and `y` (m + 1,) as a PNG of `size` pixels.
+
+    The lowest row of values is that at the foot of the picture. What is not
+    finite has that of the paper.
+    """
+    rows, columns = (_at(edges, count) for edges, count in ((y, size[1]), (x, size[0])))
+    low, high = range_
+    with np.errstate(invalid="ignore"):
+        share = np.clip((values - low) / (high - low), 0.0, 1.0)
+    shades = np.where(np.isfinite(values), np.nan_to_num(share) * (SHADES - 1) + 0.5, NONE).astype(np.uint8)
+    return _png(shades[rows[::-1, None], columns[None, :]])
+
+
+def scale(size: tuple[int, int]) -> bytes:
+    """Return all colours from the foot to the top, as a PNG of `size` pixels."""
+    steps = np.linspace(0.0, SHADES - 1.0, size[1]).round().astype(np.uint8)
+    return _png(np.repeat(steps[::-1, None], size[0], axis=1))
+
+
+def contours(x: Values, y: Values, values: Values, levels: Sequence[float]) -> list[Values]:
+    """Return the lines (k, 2) on which values (m, n) at `x` (n,) and `y` (m,) have one of the levels.
+
+    There are none through places that are not finite.
+    """
+    made = contour_generator(x, y, np.ma.masked_invalid(values), name="serial")
+    return [np.asarray(line, dtype=np.float64) for level in levels for line in made.lines(level)]
+
+
+def shade(part: float) -> str:
+    """Return the colour of a map at a part of its range, from 0 to 1."""
+    at = 3 * round(min(max(part, 0.0), 1.0) * (SHADES - 1))
+    return f"#{_palette()[at : at + 3].hex()}"
+
+
+def _at(edges: Values, count: int) -> NDArray[np.intp]:
+    """Return in which cell the middle of each of `count` pixels lies."""
+    middles = edges[0] + (np.arange(count) + 0.5) * ((edges[-1] - edges[0]) / count)
+    found: NDArray[np.intp] = np.searchsorted(edges, middles, side="right") - 1
+    return np.clip(found, 0, len(edges) - 2)
+
+
+@cache
+def _palette() -> bytes:
+    """Return the colours of a map and that of the paper, three bytes each."""
+    stops = np.array([[int(each[at : at + 2], 16) for at in (1, 3, 5)] for each in style.HEAT], dtype=float)
+    places = np.linspace(0.0, len(stops) - 1.0, SHADES)
+    shades = [np.interp(places, np.arange(len(stops)), channel) for channel in stops.T]
+    return np.stack(shades, axis=1).round().astype(np.uint8).tobytes() + bytes.fromhex(style.PAPER[1:])
+
+
+def _png(pixels: NDArray[np.uint8]) -> bytes:
+    """Return indices of colours (rows, columns), the uppermost row first, as PNG."""
+    height, width = pixels.shape
+    header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
+    lines = np.concatenate([np.zeros((height, 1), np.uint8), pixels], axis=1).tobytes()
+    parts = [(b"IHDR", header), (b"PLTE", _palette()), (b"IDAT", zlib.compress(lines, 6))]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(*each) for each in (*parts, (b"IEND", b"")))
+
+
+def _chunk(kind: bytes, data: bytes) -> bytes:
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
