@@ -1,7 +1,7 @@
-"""`fcl-sim check`: what is wrong with rule bases."""
+"""`fcl-sim check`: what is wrong with rule bases, what is proved of them."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import click
@@ -20,6 +20,13 @@ from fcl_sim.fcl.conformance_excess import excesses
 from fcl_sim.fcl.conformance_statement import Statement
 from fcl_sim.fcl.conformance_targets import target
 from fcl_sim.fcl.targets import NAMES
+from fcl_sim.model import FunctionBlock
+from fcl_sim.proof.completeness import EPSILON
+from fcl_sim.proof.finding import Finding
+from fcl_sim.proof.finding import as_json as evidence
+from fcl_sim.proof.prove import prove
+from fcl_sim.proof.slabs import Budget
+from fcl_sim.proof.universe import Asked, UniverseError
 
 FORMATS = ("text", "json", "sarif", "github")
 
@@ -37,21 +44,72 @@ FORMATS = ("text", "json", "sarif", "github")
     multiple=True,
     help=f"Hold them against the statement of a PLC as well: {', '.join(NAMES)}, or a file.",
 )
-def command(paths: tuple[Path, ...], form: str, targets: tuple[str, ...]) -> Exit:
-    """Read rule bases and list what is wrong with them.
+@click.option(
+    "--universe",
+    "stretches",
+    metavar="NAME=LOW..HIGH",
+    multiple=True,
+    help="From where to where an input goes, with its unit if you like: 'distance=-10..30 m'.",
+)
+@click.option(
+    "--assume",
+    "couplings",
+    metavar="SUM=NUMBER",
+    multiple=True,
+    help="What inputs have in common: 'brown + light + dark = 1'; also <= and >=.",
+)
+@click.option(
+    "--epsilon",
+    type=click.FloatRange(0.0, 0.5),
+    default=EPSILON,
+    show_default=True,
+    help="From which part of the strongest term's degree on a term counts as cover; 0: all do.",
+)
+@click.option(
+    "--budget",
+    type=click.IntRange(1),
+    default=Budget().cells,
+    show_default=True,
+    metavar="CELLS",
+    help="How many cells of the input space are looked at; the largest first.",
+)
+def command(  # noqa: PLR0913  an option each
+    *,
+    paths: tuple[Path, ...],
+    form: str,
+    targets: tuple[str, ...],
+    stretches: tuple[str, ...],
+    couplings: tuple[str, ...],
+    epsilon: float,
+    budget: int,
+) -> Exit:
+    """Read rule bases, and prove what their rules say together.
 
     PATH is a file, a folder to search for *.fcl, or a pattern.
 
-    Every finding is listed with its place and a hint: characters, grammar, names, and what cannot be
-    evaluated. What the rules say together (gaps, contradictions, rules without effect) is not looked at.
+    Every finding is listed with its place and a hint: characters, grammar, names, what cannot be
+    evaluated; and, without running them, where an output is undefined, which rules never fire,
+    contradict each other or have no effect, which terms nobody needs.
     `fcl-sim explain CODE` tells more about a finding.
     """
+    asked = Asked(stretches, couplings)
+    proof = _Proof(asked, epsilon, Budget(budget))
     statements = [target(each) for each in targets]
     files, faults = rule_bases(paths)
-    findings = [*faults, *(each for file in files for each in _findings(file, statements))]
+    findings = [*faults]
+    for file in files:
+        findings += _findings(file, statements, proof)
+    try:
+        asked.all_used()
+    except UniverseError as error:
+        raise click.UsageError(str(error)) from None
     match form:
         case "json":
-            click.echo(_document(as_json(findings, [str(each) for each in files])))
+            document = as_json(findings, [str(each) for each in files])
+            for told, each in zip(document["findings"], findings, strict=True):
+                if id(each) in proof.evidence:
+                    told["proof"] = evidence(proof.evidence[id(each)])
+            click.echo(_document(document))
         case "sarif":
             click.echo(_document(as_sarif(findings, __version__, root())))
         case _:
@@ -61,7 +119,25 @@ def command(paths: tuple[Path, ...], form: str, targets: tuple[str, ...]) -> Exi
     return Exit.INPUT if any(each.is_error for each in findings) else Exit.GREEN
 
 
-def _findings(file: Path, statements: Sequence[Statement]) -> list[Diagnostic]:
+class _Proof:
+    """How rule bases are proved, and the evidence of what was found, by the identity of its diagnostic."""
+
+    def __init__(self, asked: Asked, epsilon: float, budget: Budget) -> None:
+        self._asked, self._epsilon, self._budget = asked, epsilon, budget
+        self.evidence: dict[int, Finding] = {}
+
+    def of(self, block: FunctionBlock) -> Iterator[Diagnostic]:
+        """Yield what is to be said of a block as a whole."""
+        try:
+            universe = self._asked.universe_of(block)
+        except UniverseError as error:
+            raise click.UsageError(str(error)) from None
+        for each in prove(block, universe, self._epsilon, self._budget):
+            self.evidence[id(each.diagnostic)] = each
+            yield each.diagnostic
+
+
+def _findings(file: Path, statements: Sequence[Statement], proof: _Proof) -> list[Diagnostic]:
     """Return everything that is to be said about a file, whether it can be read or not."""
     try:
         reading = fcl.read_file(file)
@@ -73,6 +149,8 @@ def _findings(file: Path, statements: Sequence[Statement]) -> list[Diagnostic]:
             assemble(block)
         except InputFault as fault:
             findings += fault.diagnostics
+        else:
+            findings += proof.of(block)
         for statement in statements:
             findings += excesses(block, statement)
     return [each.within(str(file)) for each in findings]

@@ -1,7 +1,20 @@
 """The JSON Schema of what the other commands print: findings, codes, evaluations, conformance."""
 
 from fcl_sim.diagnostics import Severity
-from fcl_sim.report.schema_parts import Schema, by_name, figure, list_of, number, table, text, texts, whole
+from fcl_sim.proof.completeness import Certainty
+from fcl_sim.report.schema_parts import (
+    Schema,
+    by_name,
+    figure,
+    list_of,
+    number,
+    reference,
+    referring,
+    table,
+    text,
+    texts,
+    whole,
+)
 
 VERSION: Schema = {"const": 1, "description": "version of this form"}
 
@@ -22,6 +35,8 @@ def definitions() -> Schema:
     return {
         "finding": _finding(),
         "place": _place(),
+        "proof": _proof(),
+        "interval": _interval(),
         "code": _code(),
         "function_block": _function_block(),
         "feature": _feature(),
@@ -40,7 +55,7 @@ def _findings() -> Schema:
 
 
 def _finding() -> Schema:
-    return table(
+    made = table(
         "A finding",
         code=text("its code"),
         title=text("what the code means, in a line"),
@@ -48,6 +63,39 @@ def _finding() -> Schema:
         message=text("what is wrong"),
         hint=text("what would be right; may be empty"),
         places=list_of("where: the guilty place first", "place"),
+    )
+    made["properties"] |= {"proof": referring("proof", "what proves it, if it was proved")}
+    return made
+
+
+def _proof() -> Schema:
+    optional = {
+        "variable": text("the input or output that it is about"),
+        "rule": text("label of the rule that it is about"),
+        "witness": by_name("inputs at which an evaluation shows it", number("")),
+        "share": number("the part of the universe that it takes"),
+        "share_exact": text("the same as a fraction, as in 179/288"),
+        "boxes": {
+            "type": "array",
+            "description": "where, by input: boxes that together are all of it; an input left out has any value",
+            "items": by_name("a box", reference("interval")),
+        },
+        "more_boxes": {"type": "boolean", "description": "whether there are more boxes than are listed"},
+    }
+    told = "`exact`: so there and nowhere else; `bounded`: elsewhere perhaps, too"
+    certainty: Schema = {"enum": [str(each) for each in Certainty], "description": told}
+    made = table("What proves a finding", certainty=certainty)
+    made["properties"] |= optional
+    return made
+
+
+def _interval() -> Schema:
+    return table(
+        "An interval",
+        low=figure("its lower end; null without one"),
+        high=figure("its upper end; null without one"),
+        low_closed={"type": "boolean", "description": "whether the lower end belongs to it"},
+        high_closed={"type": "boolean", "description": "whether the upper end belongs to it"},
     )
 
 

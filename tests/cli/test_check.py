@@ -7,8 +7,8 @@ from sarif_pydantic import Sarif
 
 from fcl_sim.diagnostics.page import frame, framed
 
-BAD = framed("RULE 1: IF temp IS cool THEN valve IS inlet;", "RULE")
-WARNED = framed("TERM drain := -100;\nTERM inlet := 100;\nMETHOD: CoGS;", "DEFUZZIFY valve")
+BAD = framed("RULE 1: IF temp IS cool THEN valve IS inlet;", "RULE", complete=True)
+WARNED = framed("TERM drain := -100;\nTERM inlet := 100;\nMETHOD: CoGS;", "DEFUZZIFY valve", complete=True)
 
 
 @pytest.fixture
@@ -17,7 +17,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "rules" / "old").mkdir(parents=True)
     (tmp_path / "rules" / ".trash").mkdir()
-    (tmp_path / "rules" / "sound.fcl").write_text(frame(), "utf-8")
+    (tmp_path / "rules" / "sound.fcl").write_text(frame(complete=True), "utf-8")
     (tmp_path / "rules" / "old" / "bad.FCL").write_text(BAD, "utf-8")
     (tmp_path / "rules" / "warned.fcl").write_text(WARNED, "utf-8")
     (tmp_path / "rules" / "notes.txt").write_text("no FCL", "utf-8")
@@ -31,7 +31,7 @@ def test_a_clean_file_is_one_line(invoke, folder):
 
 
 def test_clean_files_are_one_line_together(invoke, folder):
-    (folder / "rules" / "second.fcl").write_text(frame(), "utf-8")
+    (folder / "rules" / "second.fcl").write_text(frame(complete=True), "utf-8")
     result = invoke("check", "rules/sound.fcl", "rules/second.fcl", "rules/sound.fcl")
     assert (result.exit_code, result.stdout) == (0, "2 files: no findings\n")
 
@@ -67,7 +67,7 @@ def test_a_pattern_that_the_shell_left_alone_is_filled_in(invoke, folder):
 
 
 def test_a_file_whose_name_looks_like_a_pattern_is_a_file(invoke, folder):
-    (folder / "bath[1].fcl").write_text(frame(), "utf-8")
+    (folder / "bath[1].fcl").write_text(frame(complete=True), "utf-8")
     assert invoke("check", "bath[1].fcl").stdout == "bath[1].fcl: no findings\n"
 
 
