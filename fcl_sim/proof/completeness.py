@@ -75,7 +75,8 @@ class Completeness:
 
     `doubt` is the part of the universe of which it is not known, None where
     that has no measure; `proved` the part that was looked at, by number of cells
-    where the universe has no end.
+    where the universe has no end. Unless it is `whole`, something was left, be
+    it edges that have no part.
     """
 
     output: str
@@ -84,6 +85,7 @@ class Completeness:
     certainty: Certainty
     doubt: Fraction | None
     proved: Fraction
+    whole: bool
 
 
 def completeness(
@@ -127,7 +129,7 @@ class _Prover:
         found = _Found(self, name)
         doubt: Fraction | None = Fraction(0)
         unsure = False
-        proved = Fraction(0)
+        proved, seen = Fraction(0), 0
         for slab in slabs(space, self._budget):
             allowed = possible(slab.space, self._axes, self._universe)
             undefined = left_out(slab.space.shape, slab.cubes(possibly))
@@ -137,14 +139,16 @@ class _Prover:
             own = None if allowed is not None else slab.space.share(open_cells)
             doubt = None if own is None or doubt is None else doubt + own * slab.part
             proved += slab.part
+            seen += slab.space.size
         coupled = not are_apart(self._universe.couplings)
         return Completeness(
             output=name,
             gap=found.gap(),
-            weak=self._weak(name, covers) if proved == 1 else None,
-            certainty=Certainty.BOUNDED if unsure or coupled else Certainty.EXACT,
+            weak=self._weak(name, covers) if seen == space.size else None,
+            certainty=Certainty.BOUNDED if unsure or coupled or seen < space.size else Certainty.EXACT,
             doubt=doubt,
             proved=proved,
+            whole=seen == space.size,
         )
 
     def _weak(self, name: str, covers: _Covers) -> Gap | None:
@@ -229,11 +233,14 @@ class _Found:
 
 def _covers(block: FunctionBlock, axes: Sequence[Axis], least: float = 0.0) -> dict[str, _Covers]:
     """Return for each variable that is concluded the cubes of all its conclusions."""
+    surely = firings(block, axes, certain=True, least=least)
+    exact = all(each.exact for each in surely)
+    possibly = surely if exact else firings(block, axes, certain=False, least=least)
     found: dict[str, _Covers] = {}
-    for certain in (True, False):
-        for each in firings(block, axes, certain=certain, least=least):
-            own = found.setdefault(each.conclusion.variable.casefold(), _Covers([], []))
-            (own.surely if certain else own.possibly).extend(each.cubes)
+    for one, other in zip(surely, possibly, strict=True):
+        own = found.setdefault(one.conclusion.variable.casefold(), _Covers([], []))
+        own.surely.extend(one.cubes)
+        own.possibly.extend(other.cubes)
     return found
 
 

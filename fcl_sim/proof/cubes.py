@@ -10,8 +10,8 @@ A degree is above 0, and 1 minus it is, as its operators have it:
 With `fires` taken for `has at least so much of it` the same holds for thresholds.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import reduce
 
 import numpy as np
@@ -51,15 +51,20 @@ REACHING = frozenset((OrOperator.BSUM, OrOperator.NMAX, OrOperator.DSUM))
 
 @dataclass(frozen=True, slots=True)
 class Reach:
-    """Where a degree is above 0, and where 1 minus it is."""
+    """Where a degree is above 0, and where 1 minus it is.
+
+    Each is `exact` if it is so there and nowhere else, so that what is not in it is known, too.
+    """
 
     holds: Cubes
     fails: Cubes
+    holds_exact: bool = True
+    fails_exact: bool = True
 
     @property
     def opposite(self) -> "Reach":
         """That of NOT."""
-        return Reach(self.fails, self.holds)
+        return Reach(self.fails, self.holds, self.fails_exact, self.holds_exact)
 
 
 ALWAYS = Reach(EVERYTHING, NOTHING)
@@ -68,11 +73,15 @@ NEVER = Reach(NOTHING, EVERYTHING)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Firing:
-    """Where a conclusion of a rule is above 0, weight included; `rule` counts through the text."""
+    """Where a conclusion of a rule is above 0, weight included; `rule` counts through the text.
+
+    `exact` says that it is so there and nowhere else.
+    """
 
     rule: int
     conclusion: Conclusion
     cubes: Cubes
+    exact: bool
 
 
 def firings(
@@ -80,6 +89,25 @@ def firings(
 ) -> tuple[Firing, ...]:
     """Return where each conclusion fires: surely, or possibly. A weight of `least` or less does not."""
     return _Reader(block, axes, certain=certain, least=least).read()
+
+
+def asked(block: FunctionBlock) -> Iterator[Is | Degree]:
+    """Yield what the conditions of a block ask for, less hedges and NOT."""
+    for rule_block in block.rule_blocks:
+        for rule in rule_block.rules:
+            yield from leaves(rule.condition)
+
+
+def leaves(condition: Condition) -> Iterator[Is | Degree]:
+    """Yield the subconditions that ask for one degree."""
+    match condition:
+        case Not(argument):
+            yield from leaves(argument)
+        case And(arguments) | Or(arguments):
+            for each in arguments:
+                yield from leaves(each)
+        case _:
+            yield condition
 
 
 class _Reader:
@@ -90,6 +118,8 @@ class _Reader:
         self._certain = certain
         self._least = least
         self._axes = axes
+        self._asked = {each.variable.casefold() for each in asked(block)}
+        self._coarse = False  # whether a condition had too many cubes
         self._places = {each.variable.casefold(): place for place, each in enumerate(axes)}
         self._concluded: dict[tuple[str, str | None], Reach] = {}
 
@@ -101,8 +131,11 @@ class _Reader:
                 reach = self._reach(each.condition, rule_block)
                 for conclusion in each.conclusions:
                     own = self._weighted(reach, conclusion)
-                    self._remember(conclusion, own, rule_block)
-                    found.append(Firing(rule=rule, conclusion=conclusion, cubes=own.holds))
+                    if conclusion.variable.casefold() in self._asked:
+                        self._remember(conclusion, own, rule_block)
+                    found.append(
+                        Firing(rule=rule, conclusion=conclusion, cubes=own.holds, exact=own.holds_exact)
+                    )
                 rule += 1
         return tuple(found)
 
@@ -114,14 +147,14 @@ class _Reader:
             return self._all((reach, self._literal(weight, None)))
         if weight <= self._least:
             return NEVER
-        return Reach(reach.holds, EVERYTHING) if weight < 1.0 else reach
+        return Reach(reach.holds, EVERYTHING, reach.holds_exact) if weight < 1.0 else reach
 
     def _remember(self, conclusion: Conclusion, own: Reach, rule_block: RuleBlock) -> None:
         key = (conclusion.variable.casefold(), conclusion.term and conclusion.term.casefold())
         before = self._concluded.get(key, NEVER)
         found = self._any((before, own))
         if rule_block.accumulation is not Accumulation.MAX and before != NEVER:
-            found = Reach(found.holds, NOTHING if self._certain else found.fails)
+            found = Reach(found.holds, NOTHING if self._certain else found.fails, fails_exact=False)
         self._concluded[key] = found
 
     def _reach(self, condition: Condition, operators: RuleBlock) -> Reach:
@@ -151,7 +184,8 @@ class _Reader:
         if place is None:
             return self._concluded.get((variable.casefold(), key), NEVER)
         literal: Literal = self._axes[place].literals[key]
-        return Reach(self._cells(place, literal.holds), self._cells(place, literal.fails))
+        known = [bool((each.surely == each.possibly).all()) for each in (literal.holds, literal.fails)]
+        return Reach(self._cells(place, literal.holds), self._cells(place, literal.fails), *known)
 
     def _cells(self, place: int, sure: Sure) -> Cubes:
         flags = sure.of(certain=self._certain)
@@ -159,19 +193,24 @@ class _Reader:
 
     def _and(self, parts: Sequence[Reach], operator: AndOperator) -> Reach:
         found = self._all(parts)
-        return Reach(_but_one(parts), found.fails) if self._certain and operator in LOSING else found
+        return self._reduced(parts, found) if operator in LOSING else found
 
     def _or(self, opposites: Sequence[Reach], operator: OrOperator) -> Reach:
         """Return the reach of OR by de Morgan's law, from those of NOT its arguments."""
         found = self._all(opposites)
-        if self._certain and operator in REACHING:
-            found = Reach(_but_one(opposites), found.fails)
-        return found.opposite
+        return (self._reduced(opposites, found) if operator in REACHING else found).opposite
+
+    def _reduced(self, parts: Sequence[Reach], found: Reach) -> Reach:
+        """Return the reach of an AND that may be 0 though no argument is."""
+        holds = _but_one(parts) if self._certain else found.holds
+        return replace(found, holds=holds, holds_exact=False)
 
     def _all(self, parts: Sequence[Reach]) -> Reach:
         return Reach(
             reduce(self._product, (each.holds for each in parts), EVERYTHING),
             self._union([each.fails for each in parts]),
+            all(each.holds_exact for each in parts) and not self._coarse,
+            all(each.fails_exact for each in parts) and not self._coarse,
         )
 
     def _any(self, parts: Sequence[Reach]) -> Reach:
@@ -179,6 +218,7 @@ class _Reader:
 
     def _product(self, one: Cubes, other: Cubes) -> Cubes:
         if len(one) * len(other) > MOST:
+            self._coarse = True
             return NOTHING if self._certain else EVERYTHING
         return tuple(both for a in one for b in other if (both := _intersection(a, b)) is not None)
 
@@ -187,6 +227,7 @@ class _Reader:
         if any(not each for each in found):
             return EVERYTHING
         if len(found) > MOST:
+            self._coarse = True
             return NOTHING if self._certain else EVERYTHING
         return _joined(found)
 
@@ -217,7 +258,7 @@ def _but_one(parts: Sequence[Reach]) -> Cubes:
 
 def _one(part: Reach) -> Cube | None:
     """Return where a degree is surely 1, as one cube, where that can be told."""
-    if len(part.holds) != 1 or len(part.fails) > 1:
+    if not part.fails_exact or len(part.holds) != 1 or len(part.fails) > 1:
         return None
     (held,) = part.holds
     if not part.fails:

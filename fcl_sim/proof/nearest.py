@@ -7,6 +7,7 @@ from fractions import Fraction
 from fcl_sim.fcl.write_rules import condition_text
 from fcl_sim.model import And, Condition, Degree, FunctionBlock, Is, Not, Or
 from fcl_sim.model.labels import unique_labels
+from fcl_sim.proof.cubes import leaves
 from fcl_sim.proof.points import Point, degree, strongest
 
 NEAREST = 3
@@ -67,18 +68,7 @@ def _asked(block: FunctionBlock, output: str) -> Iterator[str]:
     for rule_block in block.rule_blocks:
         for rule in rule_block.rules:
             if any(each.variable.casefold() == output.casefold() for each in rule.conclusions):
-                yield from (each.variable.casefold() for each in _leaves(rule.condition))
-
-
-def _leaves(condition: Condition) -> Iterator[Is | Degree]:
-    match condition:
-        case Is() | Degree():
-            yield condition
-        case Not(argument):
-            yield from _leaves(argument)
-        case And(arguments) | Or(arguments):
-            for each in arguments:
-                yield from _leaves(each)
+                yield from (each.variable.casefold() for each in leaves(rule.condition))
 
 
 class _Degrees:

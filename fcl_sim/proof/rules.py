@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations, permutations
+from itertools import combinations
 
 from fcl_sim.model import Accumulation, AndOperator, Conclusion, FunctionBlock, OrOperator, Rule, RuleBlock
 from fcl_sim.model.labels import unique_labels
@@ -117,10 +117,10 @@ def idle(conclusions: Sequence[Said], axes: Sequence[Axis]) -> tuple[Pair, ...]:
     """
     implied = _Implied(axes)
     found = []
-    for told, because in permutations(_comparable(conclusions), 2):
+    for told, because in _pairs(_comparable(conclusions)):
         if (
             told.place != because.place
-            and (told.output, told.what) == (because.output, because.what)
+            and told.what == because.what
             and told.clauses != because.clauses
             and _weight(told) <= _weight(because)
             and all(each.rule_block.accumulation is Accumulation.MAX for each in (told, because))
@@ -136,11 +136,24 @@ def idle(conclusions: Sequence[Said], axes: Sequence[Axis]) -> tuple[Pair, ...]:
 def nested(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
     """Return conclusions of rules that ask for more than another one that concludes something else."""
     found = []
-    for told, because in permutations(_comparable(conclusions), 2):
-        same_output = told.output == because.output and told.what != because.what
-        if same_output and _asks_for_more(told.clauses or (), because.clauses or ()):
+    for told, because in _pairs(_comparable(conclusions)):
+        if told.what != because.what and _asks_for_more(told.clauses or (), because.clauses or ()):
             found.append(Pair(told, because))
     return tuple(found)
+
+
+def _pairs(conclusions: Sequence[Said]) -> Iterator[tuple[Said, Said]]:
+    """Yield pairs of conclusions on one output of which the first may ask for more than the other."""
+    outputs: dict[str, list[Said]] = {}
+    for each in conclusions:
+        outputs.setdefault(each.output, []).append(each)
+    for own in outputs.values():
+        shortest = [min(map(len, each.clauses or ()), default=0) for each in own]
+        longest = [max(map(len, each.clauses or ()), default=0) for each in own]
+        for first, told in enumerate(own):
+            for other, because in enumerate(own):
+                if first != other and shortest[other] <= longest[first]:
+                    yield told, because
 
 
 def _asks_for_more(own: Collection[Clause], others: Collection[Clause]) -> bool:

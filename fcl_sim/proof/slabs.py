@@ -43,7 +43,7 @@ class Slab:
 def slabs(space: Space, budget: Budget) -> Iterator[Slab]:
     """Yield slabs, the largest first, until the budget is used up; the whole space where it is small."""
     fixed = 0
-    while prod(space.shape[fixed:]) > CHUNK:
+    while prod(space.shape[fixed:]) > min(CHUNK, budget.cells):
         fixed += 1
     parts = [_parts(runs, bounded=space.is_bounded) for runs in space.runs[:fixed]]
     corners = product(*(range(len(each)) for each in parts))

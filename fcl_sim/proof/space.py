@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fcl_sim.engine.words import subconditions
-from fcl_sim.model import Condition, Degree, FunctionBlock, Is, Not
+from fcl_sim.model import Degree, FunctionBlock
 from fcl_sim.proof.axes import Axis, Cell, End, Flags, axis, degree_axis
-from fcl_sim.proof.cubes import Cube
+from fcl_sim.proof.cubes import Cube, asked
 from fcl_sim.proof.universe import Universe
 
 
@@ -90,9 +89,11 @@ class Space:
         )
 
     def share(self, cells: Flags) -> Fraction | None:
-        """Return which part of the whole the cells are; None where it has no end."""
+        """Return which part of the whole the cells are; None where that has no end, 0 if it has no width."""
         if not self.is_bounded:
             return None
+        if any(runs[0].to(runs[-1]).is_point for runs in self.runs):
+            return Fraction(0)
         parts: NDArray[Any] = cells
         for runs in reversed(self.runs):
             widths = [run.width or Fraction(0) for run in runs]
@@ -134,22 +135,12 @@ def axes_of(
 
 def brought(block: FunctionBlock) -> Iterator[str]:
     """Yield the variables that stand in conditions or weights as degrees, in lower case."""
+    yield from (each.variable.casefold() for each in asked(block) if isinstance(each, Degree))
     for rule_block in block.rule_blocks:
         for rule in rule_block.rules:
-            for each in leaves(rule.condition):
-                if isinstance(each, Degree):
-                    yield each.variable.casefold()
             for conclusion in rule.conclusions:
                 if isinstance(conclusion.weight, str):
                     yield conclusion.weight.casefold()
-
-
-def leaves(condition: Condition) -> Iterator[Is | Degree]:
-    """Yield the subconditions that ask for one degree, less their hedges and NOT."""
-    for each in subconditions(condition):
-        inner = each.argument if isinstance(each, Not) else each
-        if isinstance(inner, Is | Degree):
-            yield inner
 
 
 def condensed(axes: Sequence[Axis], groups: Sequence[Sequence[Cube]]) -> tuple[Space, list[list[Cube]]]:

@@ -33,7 +33,6 @@ from fcl_sim.proof.axes import (
     known,
     unknown,
 )
-from fcl_sim.proof.points import degree
 from fcl_sim.proof.universe import Stretch, Universe
 from fcl_sim.units import exact
 
@@ -64,7 +63,7 @@ def _strong(
     if all(is_straight(each) for each in own):
         cuts = set(_crossings(fuzzification, stretch, least))
         refined = axis(plain.variable, fuzzification, stretch, cuts)
-        literals = {each.name.casefold(): _exactly(each, own, refined.cells, least) for each in own}
+        literals = _exactly(refined, own, least)
     else:
         refined, literals = _halved(plain, fuzzification, own, stretch, float(least))
     blank = Literal(unknown(len(refined.cells)), unknown(len(refined.cells)))
@@ -78,13 +77,21 @@ def _strong_degree(plain: Axis, stretch: Stretch | None, least: Fraction) -> tup
     return refined, {None: literal}
 
 
-def _exactly(term: Term, terms: Sequence[Term], cells: Sequence[Cell], least: Fraction) -> Literal:
-    degrees = [degree(term, each.middle) or ZERO for each in cells]
-    tops = [max(degree(other, each.middle) or ZERO for other in terms) for each in cells]
-    return Literal(
-        known(own > 0 and own >= least * top for own, top in zip(degrees, tops, strict=True)),
-        known(1 - own >= least for own in degrees),
-    )
+def _exactly(refined: Axis, terms: Sequence[Term], least: Fraction) -> dict[str, Literal]:
+    """Return where straight terms count: in the middle of a cell each has the mean of its ends."""
+    keys = [each.name.casefold() for each in terms]
+    middles = {
+        key: [(low + high) / 2 for low, high in zip(refined.lows[key], refined.highs[key], strict=True)]
+        for key in keys
+    }
+    bars = [least * max(each) for each in zip(*middles.values(), strict=True)]
+    return {
+        key: Literal(
+            known(own > 0 and own >= bar for own, bar in zip(degrees, bars, strict=True)),
+            known(1 - own >= least for own in degrees),
+        )
+        for key, degrees in middles.items()
+    }
 
 
 def _crossings(fuzzification: Fuzzification, stretch: Stretch | None, least: Fraction) -> Iterator[Fraction]:

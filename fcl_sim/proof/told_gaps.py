@@ -30,7 +30,7 @@ def told_gaps(
         few = f"every rule there has a term below {percent_of(epsilon)} of the strongest one"
         message = f"`{name}` is hardly defined ({few}){_where(proved.weak, universe)}"
         yield _gap("FCL602", message, output, proved, proved.weak)
-    if proved.proved < 1 or (proved.certainty is Certainty.BOUNDED and proved.doubt != 0):
+    if not proved.whole or (proved.certainty is Certainty.BOUNDED and proved.doubt != 0):
         yield _open(output, proved)
 
 
@@ -94,9 +94,10 @@ def _missing(missing: Missing) -> str:
 
 
 def _open(output: Defuzzification, proved: Completeness) -> Finding:
-    if proved.proved < 1:
-        part = percent(proved.proved)
-        message = f"`{output.variable}` is proved on {part} of the universe: the rest is beyond the budget"
+    if not proved.whole:
+        part = percent(proved.proved) if proved.proved < 1 else "all"
+        rest = "the rest is" if proved.proved < 1 else "edges of it are"
+        message = f"`{output.variable}` is proved on {part} of the universe: {rest} beyond the budget"
         hint = "raise --budget, or narrow the universe"
     else:
         doubt = f" in {percent(proved.doubt)} of the universe" if proved.doubt else " somewhere"

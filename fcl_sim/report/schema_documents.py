@@ -77,7 +77,7 @@ def _proof() -> Schema:
         "share_exact": text("the same as a fraction, as in 179/288"),
         "boxes": {
             "type": "array",
-            "description": "where, by input: boxes that together are all of it; an input left out has any value",
+            "description": "where, by input: boxes that are all of it together; one left out has any value",
             "items": by_name("a box", reference("interval")),
         },
         "more_boxes": {"type": "boolean", "description": "whether there are more boxes than are listed"},
