@@ -24,11 +24,11 @@ def told_gaps(
     output = next(each for each in block.defuzzifications if each.variable == proved.output)
     name = proved.output
     if proved.gap is not None:
-        message = f"`{name}` is undefined ({_instead(output)}){_where(proved.gap, universe)}"
+        message = f"`{name}` is undefined ({_instead(output)}){_where(proved, proved.gap, universe)}"
         yield _gap("FCL601", message, output, proved, proved.gap)
     if proved.weak is not None:
         few = f"every rule there has a term below {percent_of(epsilon)} of the strongest one"
-        message = f"`{name}` is hardly defined ({few}){_where(proved.weak, universe)}"
+        message = f"`{name}` is hardly defined ({few}){_where(proved, proved.weak, universe)}"
         yield _gap("FCL602", message, output, proved, proved.weak)
     if not proved.whole or (proved.certainty is Certainty.BOUNDED and proved.doubt != 0):
         yield _open(output, proved)
@@ -56,7 +56,7 @@ def _gap(code: str, message: str, output: Defuzzification, proved: Completeness,
     )
 
 
-def _where(gap: Gap, universe: Universe) -> str:
+def _where(proved: Completeness, gap: Gap, universe: Universe) -> str:
     """Return how much of the universe a gap takes, and where it is."""
     told = [box(each.sides, universe) for each in gap.boxes[:SHOWN]]
     rest = len(gap.boxes) - len(told)
