@@ -1,7 +1,7 @@
 """`fcl-sim check`: what is wrong with rule bases, what is proved of them."""
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import click
@@ -27,6 +27,9 @@ from fcl_sim.proof.finding import as_json as evidence
 from fcl_sim.proof.prove import prove
 from fcl_sim.proof.slabs import Budget
 from fcl_sim.proof.universe import Asked, UniverseError
+from fcl_sim.scenario.bench import bench_of
+from fcl_sim.verify.visited import Key, Visits, joined, visits_of
+from fcl_sim.verify.waive import waive
 
 FORMATS = ("text", "json", "sarif", "github")
 
@@ -59,6 +62,14 @@ FORMATS = ("text", "json", "sarif", "github")
     help="What inputs have in common: 'brown + light + dark = 1'; also <= and >=.",
 )
 @click.option(
+    "--with",
+    "reports",
+    metavar="REPORTS",
+    multiple=True,
+    type=click.Path(path_type=Path),
+    help="Results of runs, a folder or a results.json: where they were undefined is an error.",
+)
+@click.option(
     "--epsilon",
     type=click.FloatRange(0.0, 0.5),
     default=EPSILON,
@@ -80,6 +91,7 @@ def command(  # noqa: PLR0913  an option each
     targets: tuple[str, ...],
     stretches: tuple[str, ...],
     couplings: tuple[str, ...],
+    reports: tuple[Path, ...],
     epsilon: float,
     budget: int,
 ) -> Exit:
@@ -93,7 +105,7 @@ def command(  # noqa: PLR0913  an option each
     `fcl-sim explain CODE` tells more about a finding.
     """
     asked = Asked(stretches, couplings)
-    proof = _Proof(asked, epsilon, Budget(budget))
+    proof = _Proof(asked, epsilon, Budget(budget), visits_of(reports))
     statements = [target(each) for each in targets]
     files, faults = rule_bases(paths)
     findings = [*faults]
@@ -122,19 +134,29 @@ def command(  # noqa: PLR0913  an option each
 class _Proof:
     """How rule bases are proved, and the evidence of what was found, by the identity of its diagnostic."""
 
-    def __init__(self, asked: Asked, epsilon: float, budget: Budget) -> None:
-        self._asked, self._epsilon, self._budget = asked, epsilon, budget
+    def __init__(self, asked: Asked, epsilon: float, budget: Budget, visits: Mapping[Key, Visits]) -> None:
+        self._asked, self._epsilon, self._budget, self._visits = asked, epsilon, budget, visits
         self.evidence: dict[int, Finding] = {}
 
-    def of(self, block: FunctionBlock) -> Iterator[Diagnostic]:
-        """Yield what is to be said of a block as a whole."""
+    def of(self, blocks: Sequence[FunctionBlock], file: Path) -> list[Diagnostic]:
+        """Return what is to be said of the blocks of a file, and of the waivers of it."""
+        findings: list[Finding] = []
+        for block in blocks:
+            try:
+                universe = self._asked.universe_of(block)
+            except UniverseError as error:
+                raise click.UsageError(str(error)) from None
+            proved = prove(block, universe, self._epsilon, self._budget)
+            findings += [joined(each, file, block.name, self._visits) for each in proved]
+        sources = [each.span.source for each in blocks if each.span is not None]
+        if not sources:
+            return []
         try:
-            universe = self._asked.universe_of(block)
-        except UniverseError as error:
-            raise click.UsageError(str(error)) from None
-        for each in prove(block, universe, self._epsilon, self._budget):
-            self.evidence[id(each.diagnostic)] = each
-            yield each.diagnostic
+            left = waive(findings, sources[0], file, bench_of(file))
+        except InputFault as fault:
+            return [*(each.diagnostic for each in findings), *fault.diagnostics]
+        self.evidence |= {id(each.diagnostic): each for each in left.findings}
+        return [*(each.diagnostic for each in left.findings), *left.faults]
 
 
 def _findings(file: Path, statements: Sequence[Statement], proof: _Proof) -> list[Diagnostic]:
@@ -144,15 +166,17 @@ def _findings(file: Path, statements: Sequence[Statement], proof: _Proof) -> lis
     except InputFault as fault:
         return list(fault.diagnostics)
     findings = list(reading.diagnostics)
+    sound = []
     for block in reading.blocks:
         try:
             assemble(block)
         except InputFault as fault:
             findings += fault.diagnostics
         else:
-            findings += proof.of(block)
+            sound.append(block)
         for statement in statements:
             findings += excesses(block, statement)
+    findings += proof.of(sound, file)
     return [each.within(str(file)) for each in findings]
 
 

@@ -66,11 +66,10 @@ def _where(proved: Completeness, gap: Gap, universe: Universe) -> str:
     where = "; ".join(told)
     if gap.share is None:
         return f" for {where}"
-    return (
-        f" in {percent(gap.share)} of the universe: {where}"
-        if gap.share
-        else f" on edges without area: {where}"
-    )
+    if not gap.share:
+        return f" on edges without area: {where}"
+    least = "" if proved.certainty is Certainty.EXACT else "at least "
+    return f" in {least}{percent(gap.share)} of the universe: {where}"
 
 
 def _instead(output: Defuzzification) -> str:

@@ -1,4 +1,4 @@
-"""Faults that are planted into complete rule bases are found, each by its code, and nothing else is told beside it."""
+"""Faults that are planted into complete rule bases are found, each by its code, and nothing else is told."""
 
 import re
 
