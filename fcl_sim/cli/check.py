@@ -2,11 +2,13 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import click
 
 from fcl_sim import __version__, fcl
+from fcl_sim.block import Block
 from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.outputs import root
 from fcl_sim.cli.rule_bases import rule_bases
@@ -24,9 +26,11 @@ from fcl_sim.model import FunctionBlock
 from fcl_sim.proof.completeness import EPSILON
 from fcl_sim.proof.finding import Finding
 from fcl_sim.proof.finding import as_json as evidence
+from fcl_sim.proof.law import OutputLaw, law_of
 from fcl_sim.proof.prove import prove
 from fcl_sim.proof.slabs import Budget
-from fcl_sim.proof.universe import Asked, UniverseError
+from fcl_sim.proof.told_law import law_json, law_lines
+from fcl_sim.proof.universe import Asked, Universe, UniverseError
 from fcl_sim.scenario.bench import bench_of
 from fcl_sim.verify.visited import Key, Visits, joined, visits_of
 from fcl_sim.verify.waive import waive
@@ -70,6 +74,12 @@ FORMATS = ("text", "json", "sarif", "github")
     help="Results of runs, a folder or a results.json: where they were undefined is an error.",
 )
 @click.option(
+    "--law",
+    "laws",
+    is_flag=True,
+    help="Tell the control law of each output: its ends, its slopes and their bounds, its course.",
+)
+@click.option(
     "--epsilon",
     type=click.FloatRange(0.0, 0.5),
     default=EPSILON,
@@ -92,6 +102,7 @@ def command(  # noqa: PLR0913  an option each
     stretches: tuple[str, ...],
     couplings: tuple[str, ...],
     reports: tuple[Path, ...],
+    laws: bool,
     epsilon: float,
     budget: int,
 ) -> Exit:
@@ -105,7 +116,7 @@ def command(  # noqa: PLR0913  an option each
     `fcl-sim explain CODE` tells more about a finding.
     """
     asked = Asked(stretches, couplings)
-    proof = _Proof(asked, epsilon, Budget(budget), visits_of(reports))
+    proof = _Proof(asked, epsilon, Budget(budget), visits_of(reports), laws=laws)
     statements = [target(each) for each in targets]
     files, faults = rule_bases(paths)
     findings = [*faults]
@@ -121,22 +132,50 @@ def command(  # noqa: PLR0913  an option each
             for told, each in zip(document["findings"], findings, strict=True):
                 if id(each) in proof.evidence:
                     told["proof"] = evidence(proof.evidence[id(each)])
+            if laws:
+                document["laws"] = [each.document() for each in proof.laws]
             click.echo(_document(document))
         case "sarif":
             click.echo(_document(as_sarif(findings, __version__, root())))
         case _:
             for each in findings:
                 click.echo(as_github(each, root()) if form == "github" else render(each))
+            for own in proof.laws:
+                click.echo("\n".join(own.lines()))
             click.echo(_summary(files, findings))
     return Exit.INPUT if any(each.is_error for each in findings) else Exit.GREEN
+
+
+@dataclass(frozen=True, slots=True)
+class _Laws:
+    """The laws of a block of a file."""
+
+    file: Path
+    name: str
+    universe: Universe
+    laws: tuple[OutputLaw, ...]
+
+    def lines(self) -> list[str]:
+        """Return them in words."""
+        told = [line for each in self.laws for line in law_lines(each, self.universe)]
+        return [f"{self.file}: the law of {self.name}", *told]
+
+    def document(self) -> dict[str, object]:
+        """Return them as JSON's types."""
+        laws = [law_json(each) for each in self.laws]
+        return {"file": str(self.file), "function_block": self.name, "outputs": laws}
 
 
 class _Proof:
     """How rule bases are proved, and the evidence of what was found, by the identity of its diagnostic."""
 
-    def __init__(self, asked: Asked, epsilon: float, budget: Budget, visits: Mapping[Key, Visits]) -> None:
+    def __init__(
+        self, asked: Asked, epsilon: float, budget: Budget, visits: Mapping[Key, Visits], *, laws: bool
+    ) -> None:
         self._asked, self._epsilon, self._budget, self._visits = asked, epsilon, budget, visits
+        self._with_laws = laws
         self.evidence: dict[int, Finding] = {}
+        self.laws: list[_Laws] = []
 
     def of(self, blocks: Sequence[FunctionBlock], file: Path) -> list[Diagnostic]:
         """Return what is to be said of the blocks of a file, and of the waivers of it."""
@@ -148,6 +187,9 @@ class _Proof:
                 raise click.UsageError(str(error)) from None
             proved = prove(block, universe, self._epsilon, self._budget)
             findings += [joined(each, file, block.name, self._visits) for each in proved]
+            if self._with_laws:
+                laws = law_of(Block(block, assemble(block)), universe)
+                self.laws.append(_Laws(file, block.name, universe, laws))
         sources = [each.span.source for each in blocks if each.span is not None]
         if not sources:
             return []

@@ -18,6 +18,7 @@ COMMANDS = {
     "eval": "Evaluate a rule base once.",
     "plot": "Draw membership functions and the characteristic curve or surface.",
     "check": "Read rule bases, and prove what their rules say together.",
+    "diff": "Tell by how much two rule bases differ in what they give, where most, and which rules do it.",
     "conformance": "Print Tables 8 to 11 of IEC 61131-7: what fcl_sim has, or what a rule base needs.",
     "fmt": "Write rule bases in the canonical form of the standard.",
     "explain": "Tell what the code of a finding means, why it is a fault, and how it is mended.",

@@ -1,14 +1,12 @@
 """The JSON Schema of what the other commands print: findings, codes, evaluations, conformance."""
 
 from fcl_sim.diagnostics import Severity
-from fcl_sim.proof.completeness import Certainty
 from fcl_sim.report.schema_parts import (
     Schema,
     by_name,
     figure,
     list_of,
     number,
-    reference,
     referring,
     table,
     text,
@@ -35,8 +33,6 @@ def definitions() -> Schema:
     return {
         "finding": _finding(),
         "place": _place(),
-        "proof": _proof(),
-        "interval": _interval(),
         "code": _code(),
         "function_block": _function_block(),
         "feature": _feature(),
@@ -45,13 +41,15 @@ def definitions() -> Schema:
 
 def _findings() -> Schema:
     counts = {f"{each}s": whole(f"how many {each}s there are") for each in Severity}
-    return table(
+    made = table(
         "What is wrong with rule bases: `fcl-sim check --json`",
         schema=VERSION,
         files={**texts(), "description": "the files that were looked at"},
         counts=table("the findings, counted", **counts),
         findings=list_of("the findings, in the order of the files", "finding"),
     )
+    made["properties"] |= {"laws": list_of("with `--law`, those of each function block", "law")}
+    return made
 
 
 def _finding() -> Schema:
@@ -66,37 +64,6 @@ def _finding() -> Schema:
     )
     made["properties"] |= {"proof": referring("proof", "what proves it, if it was proved")}
     return made
-
-
-def _proof() -> Schema:
-    optional = {
-        "variable": text("the input or output that it is about"),
-        "rule": text("label of the rule that it is about"),
-        "witness": by_name("inputs at which an evaluation shows it", number("")),
-        "share": number("the part of the universe that it takes"),
-        "share_exact": text("the same as a fraction, as in 179/288"),
-        "boxes": {
-            "type": "array",
-            "description": "where, by input: boxes that are all of it together; one left out has any value",
-            "items": by_name("a box", reference("interval")),
-        },
-        "more_boxes": {"type": "boolean", "description": "whether there are more boxes than are listed"},
-    }
-    told = "`exact`: so there and nowhere else; `bounded`: elsewhere perhaps, too"
-    certainty: Schema = {"enum": [str(each) for each in Certainty], "description": told}
-    made = table("What proves a finding", certainty=certainty)
-    made["properties"] |= optional
-    return made
-
-
-def _interval() -> Schema:
-    return table(
-        "An interval",
-        low=figure("its lower end; null without one"),
-        high=figure("its upper end; null without one"),
-        low_closed={"type": "boolean", "description": "whether the lower end belongs to it"},
-        high_closed={"type": "boolean", "description": "whether the upper end belongs to it"},
-    )
 
 
 def _place() -> Schema:
