@@ -15,6 +15,7 @@ COMMANDS = {
     "judge": "Judge a recorded trace by the requirements of a scenario.",
     "mutate": "Change one thing at a time in the rule bases, and see which changes the bench notices.",
     "replay": "Put recorded inputs through a rule base and compare its outputs with the recorded ones.",
+    "vectors": "Write test vectors for a PLC: inputs, and the outputs that are right.",
     "eval": "Evaluate a rule base once.",
     "plot": "Draw membership functions and the characteristic curve or surface.",
     "check": "Read rule bases, and prove what their rules say together.",

@@ -267,7 +267,7 @@ def _changed(old: FunctionBlock, new: FunctionBlock, output: str) -> tuple[list[
 
 
 def _frame(block: FunctionBlock, output: str, *, places: bool = True) -> object:
-    """Return what all rules on an output depend on: how it is defuzzified and, with `places`, its terms."""
+    """Return what all rules on an output depend on: its method and, with `places`, its terms."""
     own = next(each for each in block.defuzzifications if each.variable.casefold() == output.casefold())
     accumulations = {each.accumulation for each in block.rule_blocks}
     terms = {each.name.casefold(): each.shape for each in own.terms}
