@@ -37,7 +37,7 @@ def command(
     Beside each output stands by how much it may differ. They visit every breakpoint, both sides of it,
     the cells between and the gaps, in an order that matters: an output without a rule may keep its value.
     Put the inputs through the PLC one after the other, write its answers into the columns of the outputs,
-    and `fcl-sim replay FILE.fcl ANSWERS.csv` names the first row that deviates, and the rules that fire there.
+    and `fcl-sim replay FILE.fcl ANSWERS.csv` names the first row that deviates, with its rules.
     """
     loaded = load(file, block)
     try:

@@ -250,7 +250,7 @@ def _joined(names: Sequence[str], blocks: Sequence[Block], universe: Universe) -
 
 
 def _changed(old: FunctionBlock, new: FunctionBlock, output: str) -> tuple[list[int], list[int]] | None:
-    """Return the rules on an output, by place, that the other block does not have; None where all may differ."""
+    """Return the rules on an output, by place, that the other block lacks; None where all may differ."""
     if _frame(old, output) != _frame(new, output):
         return None
     keys = [_keys(each, output) for each in (old, new)]

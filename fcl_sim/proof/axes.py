@@ -7,6 +7,7 @@ at a point alone, and a ridge of no width is found like any other gap.
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -91,7 +92,8 @@ class Axis:
     """An input in cells, from below to above.
 
     `literals` are by term, in lower case; None is the input itself as a degree.
-    `lows` and `highs` bound the degrees over each closed cell.
+    `lows` and `highs` bound the degrees over each cell, on 0 and 1 where that
+    is so; `middles` are the degrees of straight terms in the middle of each.
     """
 
     variable: str
@@ -99,6 +101,7 @@ class Axis:
     literals: Mapping[str | None, Literal]
     lows: Mapping[str | None, tuple[Fraction, ...]] = field(default_factory=dict)
     highs: Mapping[str | None, tuple[Fraction, ...]] = field(default_factory=dict)
+    middles: Mapping[str | None, tuple[Fraction, ...]] = field(default_factory=dict)
 
 
 def known(flags: Iterable[bool]) -> Sure:
@@ -113,19 +116,32 @@ def unknown(cells: int) -> Sure:
 
 
 def axis(
-    variable: str, fuzzification: Fuzzification, stretch: Stretch | None, cuts: Iterable[Fraction] = ()
+    variable: str,
+    fuzzification: Fuzzification,
+    stretch: Stretch | None,
+    cuts: Iterable[Fraction] = (),
+    *,
+    as_degree: bool = False,
 ) -> Axis:
-    """Return an input with terms in cells; `cuts` are further ends of cells."""
-    grid = cut(fuzzification, stretch, cuts)
+    """Return an input with terms in cells; `cuts` are further ends of cells.
+
+    With `as_degree` it is brought in as a degree as well, such as a weight.
+    """
+    grid = cut(fuzzification, stretch, (*cuts, ZERO, ONE) if as_degree else cuts)
     cells, inside = cells_of(grid, stretch)
     literals: dict[str | None, Literal] = {}
     lows: dict[str | None, tuple[Fraction, ...]] = {}
     highs: dict[str | None, tuple[Fraction, ...]] = {}
+    middles: dict[str | None, tuple[Fraction, ...]] = {}
     straight = 0
     for term in fuzzification.terms:
         key = term.name.casefold()
         if is_straight(term):
             bounds = [grid.cells[place].bounds[straight] for place in inside]
+            middles[key] = tuple(
+                grid.cells[place].segments[straight].degree(each.middle)
+                for place, each in zip(inside, cells, strict=True)
+            )
             straight += 1
         elif isinstance(term.shape, Curve) and is_constant(term):
             bounds = [_curve_bounds(term.shape, each) for each in cells]
@@ -135,7 +151,10 @@ def axis(
             continue
         literals[key] = Literal(known(high > 0 for _, high in bounds), known(low < 1 for low, _ in bounds))
         lows[key], highs[key] = (tuple(each[end] for each in bounds) for end in (0, 1))
-    return Axis(variable=variable, cells=cells, literals=literals, lows=lows, highs=highs)
+    if as_degree:
+        spots = [each.middle for each in cells]
+        literals[None] = Literal(known(each > 0 for each in spots), known(each < 1 for each in spots))
+    return Axis(variable=variable, cells=cells, literals=literals, lows=lows, highs=highs, middles=middles)
 
 
 def degree_axis(variable: str, stretch: Stretch | None, cuts: Iterable[Fraction] = ()) -> Axis:
@@ -202,6 +221,7 @@ def is_constant(term: Term) -> bool:
     return False
 
 
+@lru_cache(maxsize=4096)
 def base_of(term: Term) -> tuple[tuple[Fraction, Fraction], ...]:
     """Return the constant base points of a term as the text has them."""
     if not isinstance(term.shape, Points):

@@ -346,7 +346,7 @@ def _straight(points: Sequence[tuple[float, float]], low: Values, high: Values) 
 
 def _smooth(curve: Curve, low: Values, high: Values) -> Values:
     """Return least and largest degree of a curve from `low` to `high`; its slopes are not followed."""
-    ends = degrees_at(curve, low), degrees_at(curve, high)
+    ends = [degrees_at(curve, np.ascontiguousarray(each)) for each in (low, high)]
     least, most = np.minimum(*ends), np.maximum(*ends)
     if curve.kind in WANDERING:
         least, most = np.zeros_like(least), np.full_like(most, curve.height)

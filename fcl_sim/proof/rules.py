@@ -1,6 +1,6 @@
 """What is to be said about rules beside each other: twice the same, contradictions, rules without effect."""
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -90,12 +90,20 @@ def dead(block: FunctionBlock, axes: Sequence[Axis], conclusions: Sequence[Said]
 
 def twice(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
     """Return conclusions that an earlier rule with the same condition has already."""
-    return tuple(Pair(later, first) for first, later in _alike(conclusions) if first.what == later.what)
+    return _once(Pair(later, first) for first, later in _alike(conclusions) if first.what == later.what)
 
 
 def contradictory(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
     """Return conclusions on one output that differ though the conditions are the same."""
-    return tuple(Pair(later, first) for first, later in _alike(conclusions) if first.what != later.what)
+    return _once(Pair(later, first) for first, later in _alike(conclusions) if first.what != later.what)
+
+
+def _once(pairs: Iterable[Pair]) -> tuple[Pair, ...]:
+    """Return the first pair of each conclusion that is told."""
+    found: dict[tuple[int, str], Pair] = {}
+    for each in pairs:
+        found.setdefault((each.told.place, each.told.output), each)
+    return tuple(found.values())
 
 
 def _alike(conclusions: Sequence[Said]) -> Iterator[tuple[Said, Said]]:
@@ -127,10 +135,7 @@ def idle(conclusions: Sequence[Said], axes: Sequence[Axis]) -> tuple[Pair, ...]:
             and implied.rule(told, because)
         ):
             found.append(Pair(told, because))
-    first: dict[tuple[int, str], Pair] = {}
-    for each in found:
-        first.setdefault((each.told.place, each.told.output), each)
-    return tuple(first.values())
+    return _once(found)
 
 
 def nested(conclusions: Sequence[Said]) -> tuple[Pair, ...]:

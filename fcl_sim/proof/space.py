@@ -127,7 +127,8 @@ def axes_of(
         name = each.name.casefold()
         own = further.get(name, ())
         if name in terms and terms[name].terms:
-            found.append(axis(each.name, terms[name], universe.of(name), own))
+            as_degree = name in degrees
+            found.append(axis(each.name, terms[name], universe.of(name), own, as_degree=as_degree))
         elif name in degrees:
             found.append(degree_axis(each.name, universe.of(name), own))
     return tuple(found)

@@ -57,12 +57,13 @@ def _strong(
     plain: Axis, fuzzification: Fuzzification | None, universe: Universe, least: Fraction
 ) -> tuple[Axis, Literals]:
     stretch = universe.of(plain.variable)
-    if fuzzification is None or None in plain.literals:
+    as_degree = None in plain.literals
+    if fuzzification is None:
         return _strong_degree(plain, stretch, least)
     own = [each for each in fuzzification.terms if is_constant(each)]
     if all(is_straight(each) for each in own):
         cuts = set(_crossings(fuzzification, stretch, least))
-        refined = axis(plain.variable, fuzzification, stretch, cuts)
+        refined = axis(plain.variable, fuzzification, stretch, cuts, as_degree=as_degree)
         literals = _exactly(refined, own, least)
     else:
         refined, literals = _halved(plain, fuzzification, own, stretch, float(least))
@@ -78,12 +79,8 @@ def _strong_degree(plain: Axis, stretch: Stretch | None, least: Fraction) -> tup
 
 
 def _exactly(refined: Axis, terms: Sequence[Term], least: Fraction) -> dict[str, Literal]:
-    """Return where straight terms count: in the middle of a cell each has the mean of its ends."""
-    keys = [each.name.casefold() for each in terms]
-    middles = {
-        key: [(low + high) / 2 for low, high in zip(refined.lows[key], refined.highs[key], strict=True)]
-        for key in keys
-    }
+    """Return where straight terms count, which the middle of each cell tells."""
+    middles = {each.name.casefold(): refined.middles[each.name.casefold()] for each in terms}
     bars = [least * max(each) for each in zip(*middles.values(), strict=True)]
     return {
         key: Literal(
@@ -141,7 +138,8 @@ def _halved(
     for low, high in pairwise(ends):
         pieces += _pieces(terms, low, high, least)
     merged = [each for place, each in enumerate(pieces) if place == 0 or not _alike(pieces[place - 1], each)]
-    refined = axis(plain.variable, fuzzification, stretch, {exact(each.low) for each in merged})
+    cuts = {exact(each.low) for each in merged}
+    refined = axis(plain.variable, fuzzification, stretch, cuts, as_degree=None in plain.literals)
     literals = {}
     for place, term in enumerate(terms):
         counts = [_told(pieces, each, place) for each in refined.cells]

@@ -68,7 +68,7 @@ def test_a_gap_is_entered_from_where_a_rule_is_active_and_left_again():
 
 
 def test_there_are_no_more_than_are_wanted_and_all_lie_in_the_universe():
-    block, table = made(
+    _, table = made(
         "crane/crane_completed.fcl", "distance=-2..7", "angle=-60..1", most=100, arithmetic="LREAL"
     )
     assert len(table.ticks) <= 100
