@@ -61,7 +61,7 @@ def _index() -> str:
 def _family(title: str, codes: tuple[str, ...]) -> str:
     parts = [f"# {title}", "[All codes](README.md)"]
     if any(page(code).within and page(code).language == "fcl" for code in codes):
-        parts += [BATH, f"```fcl\n{frame().rstrip()}\n```"]
+        parts += [BATH, f"```fcl\n{frame(complete=title == FAMILIES['FCL6']).rstrip()}\n```"]
     for code in codes:
         told = page(code)
         parts += [f"## {code}", f"**{told.title[0].upper()}{told.title[1:]}.**", page_markdown(told)]

@@ -25,6 +25,7 @@ NAMES = {
     "evaluation": "An evaluation",
     "conformance_tables": "Tables of conformance",
     "conformance": "Conformance of rule bases",
+    "difference": "A difference of rule bases",
     "replay": "A replay",
     "mutants": "Mutants",
 }

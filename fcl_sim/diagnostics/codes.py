@@ -1,7 +1,8 @@
 """The vocabulary of findings: every code, in one table.
 
-FCL1xx scanning, FCL2xx parsing, FCL3xx resolving, FCL4xx what the engine
-cannot evaluate; JDG judging, MTX rule bases as matrices, SCN scenarios, PLT plants,
+FCL1xx scanning, FCL2xx parsing, FCL3xx resolving, FCL4xx what the engine cannot
+evaluate, FCL5xx levels and conformance, FCL6xx what the rules of a block say
+together; JDG judging, MTX rule bases as matrices, SCN scenarios, PLT plants,
 RUN the run and its surroundings, WIR the wiring of a loop.
 """
 
@@ -108,6 +109,23 @@ CODES: dict[str, str] = {
     "FCL523": "a key or value in the statement of a target is unknown",
     "FCL524": "a value in the statement of a target is of the wrong kind",
     "FCL525": "the statement of a target has no name",
+    "FCL601": "an output is undefined where no rule fires",
+    "FCL602": "an output is hardly defined where no term counts",
+    "FCL603": "a rule never fires",
+    "FCL604": "two rules say the same",
+    "FCL605": "two rules contradict each other",
+    "FCL606": "a rule has no effect beside another one",
+    "FCL607": "a rule counts beside its exceptions",
+    "FCL608": "no rule asks for a term",
+    "FCL609": "no rule concludes a term",
+    "FCL610": "an input has no effect",
+    "FCL611": "a term is out of reach",
+    "FCL612": "the terms of an input leave a gap",
+    "FCL613": "a conclusion has the weight 0",
+    "FCL614": "the degrees of an input nearly add up to 1",
+    "FCL615": "a rule base is not proved everywhere",
+    "FCL616": "an output was undefined in a run",
+    "FCL631": "another engine gives something else",
     "JDG101": "a requirement names a signal that the trace does not have",
     "JDG201": "a formula cannot be read",
     "JDG202": "a formula names a signal that does not exist",
@@ -203,6 +221,7 @@ CODES: dict[str, str] = {
     "VER202": "several columns of a log could be a variable",
     "VER203": "an input in a log is no number that the arithmetic holds",
     "VER204": "a column or variable that is mapped does not exist",
+    "VER205": "the results of a run cannot be read",
     "WIR101": "two signals share a name",
     "WIR102": "a signal is unknown",
     "WIR103": "something is not connected",

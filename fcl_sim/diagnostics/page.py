@@ -21,6 +21,7 @@ FAMILIES = {
     "FCL3": "Rule bases: names and meaning",
     "FCL4": "Rule bases: evaluation",
     "FCL5": "Rule bases: levels and conformance",
+    "FCL6": "Rule bases: what the rules say together",
     "JDG": "Requirements and traces",
     "MTX": "Rule bases as matrices",
     "PLT": "Plants",
@@ -36,6 +37,7 @@ LANGUAGES = {"FCL": "fcl", "MTX": "csv", "PLT": "python", "RUN": "console"}
 
 _FOLDER = "pages"
 _FRAME = "bath.fcl"
+_COMPLETE = "bath_complete.fcl"
 _PROSE = re.compile(r"\s*\n\s*")
 
 
@@ -107,12 +109,13 @@ def _prose(text: str) -> str:
     return _PROSE.sub(" ", text.strip())
 
 
-def frame() -> str:
-    """Return the rule base in which the FCL examples stand."""
-    return files("fcl_sim.diagnostics").joinpath(_FOLDER, _FRAME).read_text("utf-8")
+def frame(*, complete: bool = False) -> str:
+    """Return the rule base in which the FCL examples stand, or one of which a proof finds nothing, too."""
+    name = _COMPLETE if complete else _FRAME
+    return files("fcl_sim.diagnostics").joinpath(_FOLDER, name).read_text("utf-8")
 
 
-def framed(example: str, within: str) -> str:
+def framed(example: str, within: str, *, complete: bool = False) -> str:
     """Return an FCL example as a whole text, as it can be read.
 
     It takes the place of what stands in the section `within` of the frame, of
@@ -122,7 +125,7 @@ def framed(example: str, within: str) -> str:
         return f"{example}\n"
     pattern = r"(?:^    RULE.*\n)+" if within == "RULE" else rf"(?<=^{within}\n)(?:    .*\n)+"
     lines = "".join(f"    {line}".rstrip() + "\n" for line in example.splitlines())
-    text, count = re.subn(pattern, lambda _: lines, frame(), count=1, flags=re.MULTILINE)
+    text, count = re.subn(pattern, lambda _: lines, frame(complete=complete), count=1, flags=re.MULTILINE)
     if not count:
         raise ValueError(f"the frame has no section `{within}`")
     return text

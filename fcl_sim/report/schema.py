@@ -6,7 +6,14 @@ later version may add keys; `schema` rises when one changes its meaning or goes.
 
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Form, Status
-from fcl_sim.report import schema_baseline, schema_coverage, schema_documents, schema_envelope, schema_rules
+from fcl_sim.report import (
+    schema_baseline,
+    schema_coverage,
+    schema_documents,
+    schema_envelope,
+    schema_proof,
+    schema_rules,
+)
 from fcl_sim.report.schema_parts import (
     Schema,
     by_name,
@@ -34,6 +41,7 @@ def json_schema() -> Schema:
         "results": _results(),
         "judged_trace": _judged_trace(),
         **schema_documents.documents(),
+        **schema_proof.documents(),
         **schema_rules.documents(_made_by()),
     }
     return {
@@ -59,6 +67,7 @@ def json_schema() -> Schema:
             **schema_coverage.definitions(),
             **schema_rules.definitions(),
             **schema_documents.definitions(),
+            **schema_proof.definitions(),
             "status": {
                 "description": "in order of gravity; only PASS is green",
                 "enum": [str(each) for each in Status],

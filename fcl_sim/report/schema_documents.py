@@ -1,7 +1,18 @@
 """The JSON Schema of what the other commands print: findings, codes, evaluations, conformance."""
 
 from fcl_sim.diagnostics import Severity
-from fcl_sim.report.schema_parts import Schema, by_name, figure, list_of, number, table, text, texts, whole
+from fcl_sim.report.schema_parts import (
+    Schema,
+    by_name,
+    figure,
+    list_of,
+    number,
+    referring,
+    table,
+    text,
+    texts,
+    whole,
+)
 
 VERSION: Schema = {"const": 1, "description": "version of this form"}
 
@@ -30,17 +41,19 @@ def definitions() -> Schema:
 
 def _findings() -> Schema:
     counts = {f"{each}s": whole(f"how many {each}s there are") for each in Severity}
-    return table(
+    made = table(
         "What is wrong with rule bases: `fcl-sim check --json`",
         schema=VERSION,
         files={**texts(), "description": "the files that were looked at"},
         counts=table("the findings, counted", **counts),
         findings=list_of("the findings, in the order of the files", "finding"),
     )
+    made["properties"] |= {"laws": list_of("with `--law`, those of each function block", "law")}
+    return made
 
 
 def _finding() -> Schema:
-    return table(
+    made = table(
         "A finding",
         code=text("its code"),
         title=text("what the code means, in a line"),
@@ -49,6 +62,8 @@ def _finding() -> Schema:
         hint=text("what would be right; may be empty"),
         places=list_of("where: the guilty place first", "place"),
     )
+    made["properties"] |= {"proof": referring("proof", "what proves it, if it was proved")}
+    return made
 
 
 def _place() -> Schema:

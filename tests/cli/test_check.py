@@ -3,12 +3,14 @@
 import json
 
 import pytest
+from jsonschema import validate
 from sarif_pydantic import Sarif
 
 from fcl_sim.diagnostics.page import frame, framed
+from fcl_sim.report.schema import json_schema
 
-BAD = framed("RULE 1: IF temp IS cool THEN valve IS inlet;", "RULE")
-WARNED = framed("TERM drain := -100;\nTERM inlet := 100;\nMETHOD: CoGS;", "DEFUZZIFY valve")
+BAD = framed("RULE 1: IF temp IS cool THEN valve IS inlet;", "RULE", complete=True)
+WARNED = framed("TERM drain := -100;\nTERM inlet := 100;\nMETHOD: CoGS;", "DEFUZZIFY valve", complete=True)
 
 
 @pytest.fixture
@@ -17,7 +19,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "rules" / "old").mkdir(parents=True)
     (tmp_path / "rules" / ".trash").mkdir()
-    (tmp_path / "rules" / "sound.fcl").write_text(frame(), "utf-8")
+    (tmp_path / "rules" / "sound.fcl").write_text(frame(complete=True), "utf-8")
     (tmp_path / "rules" / "old" / "bad.FCL").write_text(BAD, "utf-8")
     (tmp_path / "rules" / "warned.fcl").write_text(WARNED, "utf-8")
     (tmp_path / "rules" / "notes.txt").write_text("no FCL", "utf-8")
@@ -31,7 +33,7 @@ def test_a_clean_file_is_one_line(invoke, folder):
 
 
 def test_clean_files_are_one_line_together(invoke, folder):
-    (folder / "rules" / "second.fcl").write_text(frame(), "utf-8")
+    (folder / "rules" / "second.fcl").write_text(frame(complete=True), "utf-8")
     result = invoke("check", "rules/sound.fcl", "rules/second.fcl", "rules/sound.fcl")
     assert (result.exit_code, result.stdout) == (0, "2 files: no findings\n")
 
@@ -67,7 +69,7 @@ def test_a_pattern_that_the_shell_left_alone_is_filled_in(invoke, folder):
 
 
 def test_a_file_whose_name_looks_like_a_pattern_is_a_file(invoke, folder):
-    (folder / "bath[1].fcl").write_text(frame(), "utf-8")
+    (folder / "bath[1].fcl").write_text(frame(complete=True), "utf-8")
     assert invoke("check", "bath[1].fcl").stdout == "bath[1].fcl: no findings\n"
 
 
@@ -127,3 +129,107 @@ def test_clean_files_are_clean_in_every_form(invoke, folder):
 
 def test_an_unknown_form_is_wrong_usage(invoke, folder):
     assert invoke("check", "rules", "--format", "xml").exit_code == 2
+
+
+GAPS = framed(
+    "RULE 1: IF temp IS cold AND level IS low THEN valve IS inlet;\n"
+    "RULE 2: IF temp IS cold AND level IS high THEN valve IS drain;\n"
+    "RULE 3: IF temp IS hot AND level IS high THEN valve IS drain;",
+    "RULE",
+    complete=True,
+)
+"""Undefined where it is hot and the level is low."""
+
+
+@pytest.fixture
+def gaps(tmp_path, monkeypatch):
+    """Stand in a folder with a rule base that has a gap."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "gaps.fcl").write_text(GAPS, "utf-8")
+    return tmp_path
+
+
+def test_a_gap_is_told_with_its_share_its_place_and_what_to_do(invoke, gaps):
+    result = invoke("check", "gaps.fcl", "--universe", "temp=0..30 degC", "--universe", "level=0..1")
+    assert result.exit_code == 0
+    assert result.stdout == (
+        "gaps.fcl:22:11: warning[FCL601]: `valve` is undefined (DEFAULT 0 is given out) "
+        "on edges without area: temp from 27 to 30 degC and level = 0\n"
+        "  22 | DEFUZZIFY valve\n"
+        "     |           ^^^^^\n"
+        "  hint: a rule for `temp IS hot AND level IS low` would help; nearest to firing: rule 1 lacks "
+        "`temp IS cold`, rule 3 lacks `level IS high`; see `fcl-sim eval gaps.fcl temp=28 level=0`\n"
+        "gaps.fcl: 1 warning (fcl-sim explain FCL601 tells more)\n"
+    )
+
+
+def test_what_a_finding_says_to_evaluate_shows_it(invoke, gaps):
+    assert (
+        invoke("eval", "gaps.fcl", "temp=28", "level=0").stdout == "valve = 0  (no rule is active: DEFAULT)\n"
+    )
+
+
+def test_the_proof_stands_in_the_json_document_and_keeps_its_schema(invoke, gaps):
+    result = invoke(
+        "check", "gaps.fcl", "--universe", "temp=0..30", "--universe", "level=-1..1", "--json", "--law"
+    )
+    document = json.loads(result.stdout)
+    validate(document, json_schema())
+    (only,) = document["findings"]
+    assert only["proof"]["share_exact"] == "1/20"
+    assert only["proof"]["boxes"] == [
+        {
+            "temp": {"low": 27.0, "high": 30.0, "low_closed": True, "high_closed": True},
+            "level": {"low": -1.0, "high": 0.0, "low_closed": True, "high_closed": True},
+        }
+    ]
+    assert [each["output"] for each in document["laws"][0]["outputs"]] == ["valve"]
+
+
+def test_a_coupling_takes_a_gap_away(invoke, gaps):
+    assert "FCL601" in invoke("check", "gaps.fcl").stdout
+    result = invoke("check", "gaps.fcl", "--assume", "temp <= 20")
+    assert result.stdout == "gaps.fcl: no findings\n"
+
+
+@pytest.mark.parametrize(
+    ("option", "text", "told"),
+    [
+        ("--universe", "tmp=0..1", "bath has no input 'tmp': did you mean temp?"),
+        (
+            "--universe",
+            "temp=0",
+            "'temp=0' is not NAME=LOW..HIGH, such as distance=-10..30 or 'distance=-10..30 m'",
+        ),
+        ("--universe", "temp=3..1", "'temp=3..1' goes from 3 to 1: the first is to be the lower one"),
+        (
+            "--universe",
+            "temp=0,5..1",
+            "'0,5' in 'temp=0,5..1' is not a number: the decimal separator is a point",
+        ),
+        (
+            "--assume",
+            "temp + level",
+            "'temp + level' has none of =, <= and >=, as in 'brown + light + dark = 1'",
+        ),
+        (
+            "--assume",
+            "temp * level = 1",
+            "'temp * level = 1' is no sum of inputs, such as 'brown + 2*light + dark = 1'",
+        ),
+        ("--epsilon", "0.9", "Invalid value for '--epsilon': 0.9 is not in the range 0.0<=x<=0.5."),
+    ],
+)
+def test_what_says_no_universe_is_wrong_usage(invoke, gaps, option, text, told):
+    result = invoke("check", "gaps.fcl", option, text)
+    assert result.exit_code == 2
+    assert result.stderr.endswith(f"Error: {told}\n")
+
+
+def test_an_input_that_some_file_has_may_be_bounded_for_all(invoke, gaps):
+    other = GAPS.replace("temp", "heat").replace("bath", "tub")
+    (gaps / "other.fcl").write_text(other, "utf-8")
+    result = invoke("check", "gaps.fcl", "other.fcl", "--universe", "heat=0..30")
+    assert result.exit_code == 0
+    assert "heat from 27 to 30 and level up to 0" in result.stdout
+    assert "temp from 27 on and level up to 0" in result.stdout

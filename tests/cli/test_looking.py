@@ -54,7 +54,9 @@ def test_a_variant_of_a_scenario_is_chosen_by_name(invoke):
 def test_a_stage_that_a_file_does_not_have_is_wrong_usage(invoke):
     result = invoke("show", "wiring", CRANE / "crane_printed.fcl")
     assert result.exit_code == 2
-    assert "there is no wiring of a rule base, but its tokens, tree, model, matrix or program" in result.stderr
+    assert (
+        "there is no wiring of a rule base, but its tokens, tree, model, matrix or program" in result.stderr
+    )
 
 
 @pytest.mark.parametrize(("ending", "begins"), [("svg", b"<svg"), ("png", b"\x89PNG"), ("pdf", b"%PDF")])

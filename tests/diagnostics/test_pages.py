@@ -12,9 +12,11 @@ from fcl_sim.diagnostics.codes import CODES
 from fcl_sim.diagnostics.page import FAMILIES, family, frame, framed, page, pages
 from fcl_sim.diagnostics.page_text import families, list_text, page_markdown, page_text
 from fcl_sim.engine.assemble import assemble
+from fcl_sim.proof.prove import prove
 
 READ = [each for each in pages().values() if re.match("FCL[123]", each.code) and each.language == "fcl"]
 EVALUATED = [each for each in pages().values() if each.code.startswith("FCL4") and each.language == "fcl"]
+PROVED = [each for each in pages().values() if each.code.startswith("FCL6") and each.language == "fcl"]
 
 BAD_FILES = {
     "FCL102": ("recording.fcl", b" " * (8 * 2**20 + 1)),
@@ -27,6 +29,14 @@ BAD_FILES = {
 
 def found(text):
     return {(each.code, each.severity) for each in fcl.read(text, "bath.fcl").diagnostics}
+
+
+def proved(text):
+    """Return the findings of a text that can be read without any."""
+    reading = fcl.read(text, "bath.fcl")
+    assert reading.diagnostics == ()
+    diagnostics = [each.diagnostic for each in prove(reading.blocks[0])]
+    return {(each.code, each.severity) for each in diagnostics}
 
 
 def codes_of(fault):
@@ -55,6 +65,7 @@ def test_a_page_is_complete(told):
 
 def test_the_frame_of_the_examples_is_sound():
     assert found(frame()) == set()
+    assert proved(frame(complete=True)) == set()
 
 
 @pytest.mark.parametrize("told", READ, ids=lambda told: told.code)
@@ -71,6 +82,12 @@ def test_a_bad_text_is_not_evaluated_and_the_mended_one_is(told):
     assert codes_of(caught) == {told.code}
     (block,) = fcl.read(framed(told.mended, told.within)).blocks
     assemble(block)
+
+
+@pytest.mark.parametrize("told", PROVED, ids=lambda told: told.code)
+def test_a_bad_rule_base_has_its_finding_and_no_other_and_the_mended_one_has_none(told):
+    assert proved(framed(told.bad, told.within, complete=True)) == {(told.code, told.severity)}
+    assert proved(framed(told.mended, told.within, complete=True)) == set()
 
 
 @pytest.mark.parametrize("code", BAD_FILES)

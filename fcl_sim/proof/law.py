@@ -1,0 +1,280 @@
+"""The control law of an output: how far it goes, how steep it is, along which inputs it only rises or falls.
+
+Looked at over the universe, or where there is none over all breakpoints: beyond
+them straight terms change no more. Maxima and minima are found by branch and
+bound over the cells (proof.search): what was reached is so at a point; the bound
+is so everywhere.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import pairwise, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fcl_sim.block import Block
+from fcl_sim.proof.axes import Axis
+from fcl_sim.proof.cubes import leaves
+from fcl_sim.proof.enclosure import Boxes, Enclosure, NotEnclosed
+from fcl_sim.proof.search import Search, largest
+from fcl_sim.proof.space import axes_of
+from fcl_sim.proof.universe import Universe
+
+Values = NDArray[np.float64]
+
+MOST_CELLS = 20_000
+"""Cells with which a search begins; of a rule base with more it begins with the whole."""
+CLOSE = 1e-6
+"""The part of an output's reach to which its ends are found."""
+CLOSE_GAIN = 1e-3
+"""The part of the largest slope to which that is found."""
+GAIN_STEPS = 18
+"""Times that boxes are halved for a slope."""
+STEP = 1e-6
+"""The part of an input's reach over which a slope is measured."""
+FLAT = 1e-9
+"""The part of an output's reach up to which two values count as the same."""
+SAMPLES = 2001
+"""Points at which symmetry and dead zones are looked at."""
+
+
+class Course(StrEnum):
+    """How an output goes along an input while the others stay."""
+
+    CONSTANT = "does not change"
+    RISES = "never falls"
+    FALLS = "never rises"
+    BOTH = "rises and falls"
+    OPEN = "may rise and fall"
+
+
+@dataclass(frozen=True, slots=True)
+class Extreme:
+    """A largest or least value: `reached` at `at`, inputs by name, and nothing beyond `bound`."""
+
+    reached: float
+    bound: float
+    at: dict[str, float]
+    is_exact: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Gain:
+    """The slope of an output along one input: the steepest, up or down, and its course.
+
+    Where `course` is BOTH, it rises at one of `shown` and falls at the other.
+    """
+
+    variable: str
+    steepest: Extreme
+    course: Course
+    shown: tuple[dict[str, float], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class DeadZone:
+    """From where to where along an input an output is what it is at 0, the other inputs being 0."""
+
+    variable: str
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, slots=True)
+class OutputLaw:
+    """What is known of an output; `unknown` says why nothing is, or is empty.
+
+    `at_zero` is what it is where all inputs are 0, `symmetry` is `odd`, `even`
+    or empty around there; that, and the dead zones, are of samples.
+    """
+
+    output: str
+    least: Extreme | None = None
+    most: Extreme | None = None
+    gains: tuple[Gain, ...] = ()
+    at_zero: float | None = None
+    symmetry: str = ""
+    dead_zones: tuple[DeadZone, ...] = ()
+    unknown: str = ""
+
+
+def law_of(block: Block, universe: Universe) -> tuple[OutputLaw, ...]:
+    """Return the law of each output with terms on which a rule concludes."""
+    model = block.function_block
+    concluded = {
+        each.variable.casefold()
+        for rule_block in model.rule_blocks
+        for rule in rule_block.rules
+        for each in rule.conclusions
+    }
+    found = []
+    for output in model.defuzzifications:
+        if output.variable.casefold() in concluded and output.enabled:
+            try:
+                found.append(_Explorer(block, output.variable, universe).law())
+            except NotEnclosed as reason:
+                found.append(OutputLaw(output.variable, unknown=str(reason)))
+    return tuple(found)
+
+
+class _Explorer:
+    def __init__(self, block: Block, output: str, universe: Universe) -> None:
+        self._block, self._output = block, output
+        self._names = block.inputs
+        self._enclosure = Enclosure(block.function_block, output)
+        self._axes = {each.variable: each for each in axes_of(block.function_block, universe)}
+        self._cells = cells_of(self._names, self._axes)
+        self._reach = self._cells.high.max(axis=0) - self._cells.low.min(axis=0)
+
+    def law(self) -> OutputLaw:
+        most = self._extreme(1.0)
+        least = self._extreme(-1.0)
+        span = max(most.bound - least.bound, 1e-300)
+        gains = tuple(self._gain(place, span) for place in self._used())
+        zero = self._at_zero()
+        if zero is None:
+            return OutputLaw(self._output, least, most, gains)
+        zones = tuple(self._dead_zones(zero, FLAT * span))
+        return OutputLaw(self._output, least, most, gains, zero, self._symmetry(span), zones)
+
+    def _used(self) -> list[int]:
+        """Return the places of the inputs that rules on the output ask for."""
+        asked = {
+            each.variable.casefold()
+            for rule_block in self._block.function_block.rule_blocks
+            for rule in rule_block.rules
+            if any(each.variable.casefold() == self._output.casefold() for each in rule.conclusions)
+            for each in leaves(rule.condition)
+        }
+        named = [place for place, name in enumerate(self._names) if name.casefold() in asked]
+        return [place for place in named if self._reach[place] > 0.0]
+
+    def value(self, points: Values) -> Values:
+        """Return the output at points (n, inputs)."""
+        columns = dict(zip(self._names, points.T, strict=True))
+        return self._block.evaluate(columns)[self._block.outputs[self._place()]]
+
+    def _place(self) -> int:
+        return [each.casefold() for each in self._block.outputs].index(self._output.casefold())
+
+    def _extreme(self, sign: float) -> Extreme:
+        def bound(boxes: Boxes) -> Values:
+            law = self._enclosure.law(boxes)
+            return law.high if sign > 0.0 else -law.low
+
+        span = self._span()
+        found = largest(self._cells, bound, lambda points: sign * self.value(points), CLOSE * span)
+        return self._told(found, sign, CLOSE * span)
+
+    def _span(self) -> float:
+        law = self._enclosure.law(whole_of(self._cells))
+        return max(float(law.high[0] - law.low[0]), 1e-300)
+
+    def _told(self, found: Search, sign: float, tolerance: float) -> Extreme:
+        exact = found.gap <= 1.5 * tolerance
+        bound = found.reached if exact else found.bound
+        at = dict(zip(self._names, found.at.tolist(), strict=True))
+        return Extreme(sign * found.reached, sign * bound, at, exact)
+
+    def _gain(self, place: int, span: float) -> Gain:
+        step = STEP * self._reach[place]
+        mean = span / float(self._reach[place])
+        signs = []
+        for sign in (1.0, -1.0):
+            bound, slope = self._of_slope(place, sign), self._slope(place, sign, step)
+            signs.append(largest(self._cells, bound, slope, CLOSE_GAIN * mean, steps=GAIN_STEPS))
+        rise, fall = signs
+        steepest, sign = (rise, 1.0) if rise.reached >= fall.reached else (fall, -1.0)
+        worst = max(rise.bound, fall.bound)
+        exact = worst - steepest.reached <= 10 * CLOSE_GAIN * max(mean, steepest.reached)
+        at = dict(zip(self._names, steepest.at.tolist(), strict=True))
+        extreme = Extreme(sign * steepest.reached, worst, at, exact)
+        return Gain(self._names[place], extreme, *self._course(rise, fall, mean))
+
+    def _course(self, rise: Search, fall: Search, mean: float) -> tuple[Course, tuple[dict[str, float], ...]]:
+        little = CLOSE_GAIN * mean
+        rises, falls = rise.reached > little, fall.reached > little
+        if rises and falls:
+            shown = [dict(zip(self._names, each.at.tolist(), strict=True)) for each in (rise, fall)]
+            return Course.BOTH, tuple(shown)
+        if rise.bound <= 2.0 * little and fall.bound <= 2.0 * little:
+            return Course.CONSTANT, ()
+        if fall.bound <= 2.0 * little:
+            return Course.RISES, ()
+        return (Course.FALLS, ()) if rise.bound <= 2.0 * little else (Course.OPEN, ())
+
+    def _of_slope(self, place: int, sign: float) -> Callable[[Boxes], Values]:
+        def bound(boxes: Boxes) -> Values:
+            law = self._enclosure.law(boxes)
+            return law.rises[:, place] if sign > 0.0 else -law.falls[:, place]
+
+        return bound
+
+    def _slope(self, place: int, sign: float, step: float) -> Callable[[Values], Values]:
+        low, high = self._cells.low.min(axis=0)[place], self._cells.high.max(axis=0)[place]
+
+        def slope(points: Values) -> Values:
+            before, after = points.copy(), points.copy()
+            before[:, place] = np.maximum(points[:, place] - step, low)
+            after[:, place] = np.minimum(points[:, place] + step, high)
+            rise = self.value(after) - self.value(before)
+            return np.asarray(sign * rise / (after[:, place] - before[:, place]))
+
+        return slope
+
+    def _at_zero(self) -> float | None:
+        """Return the output where all inputs are 0, if they can be."""
+        low, high = self._cells.low.min(axis=0), self._cells.high.max(axis=0)
+        if ((low > 0.0) | (high < 0.0)).any():
+            return None
+        return float(self.value(np.zeros((1, len(self._names))))[0])
+
+    def _symmetry(self, span: float) -> str:
+        """Return how samples at opposite inputs compare."""
+        low, high = self._cells.low.min(axis=0), self._cells.high.max(axis=0)
+        half = np.maximum(np.minimum(-low, high), 0.0)
+        if not half.any():
+            return ""
+        points = np.random.default_rng(0).uniform(-half, half, (SAMPLES, len(half)))
+        here, there = self.value(points), self.value(-points)
+        if np.abs(here - there).max() <= FLAT * span:
+            return "even"
+        return "odd" if np.abs(here + there).max() <= FLAT * span else ""
+
+    def _dead_zones(self, zero: float, tolerance: float) -> Iterator[DeadZone]:
+        for place in self._used():
+            own = self._cells.low[:, place].min(), self._cells.high[:, place].max()
+            sides = []
+            for end in own:
+                points = np.zeros((SAMPLES, len(self._names)))
+                points[:, place] = np.linspace(0.0, end, SAMPLES)
+                apart = np.flatnonzero(np.abs(self.value(points) - zero) > tolerance)
+                last = (int(apart[0]) if apart.size else SAMPLES) - 1
+                sides.append(float(points[last, place]))
+            if sides[0] < sides[1]:
+                yield DeadZone(self._names[place], *sides)
+
+
+def whole_of(cells: Boxes) -> Boxes:
+    """Return the one box around all cells."""
+    return Boxes(cells.low.min(axis=0)[None, :], cells.high.max(axis=0)[None, :])
+
+
+def cells_of(names: Sequence[str], axes: Mapping[str, Axis]) -> Boxes:
+    """Return the closed cells between breakpoints, as boxes of all inputs; one that no rule asks for is 0."""
+    ends = []
+    for name in names:
+        axis = axes.get(name)
+        knots = (
+            [float(each.low) for each in axis.cells if each.is_point and each.low is not None] if axis else []
+        )
+        ends.append(list(pairwise(knots)) or [((knots or [0.0])[0],) * 2])
+    count = 1
+    for each in ends:
+        count *= len(each)
+    if count > MOST_CELLS:
+        ends = [[(each[0][0], each[-1][1])] for each in ends]
+    corners = np.array(list(product(*ends)))
+    return Boxes(corners[:, :, 0], corners[:, :, 1])

@@ -1,0 +1,68 @@
+"""Intervals, boxes and points in words."""
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.proof.space import Side
+from fcl_sim.proof.universe import Universe
+from fcl_sim.units import short
+
+DIGITS = 6
+
+
+def number(value: Fraction) -> str:
+    """Return a number: exactly where few digits tell it, else rounded."""
+    return short(float(f"{float(value):.{DIGITS}g}") + 0.0)
+
+
+def interval(side: Side, unit: str = "") -> str:
+    """Return an interval as it stands behind a variable: `from 5 to 10 m`, `below 0 m`."""
+    told = _between(side) if side.low is not None and side.high is not None else _without_end(side)
+    return told.format(unit=f" {unit}" if unit else "")
+
+
+def _without_end(side: Side) -> str:
+    if side.high is not None:
+        return f"{'up to' if side.high_closed else 'below'} {number(side.high)}{{unit}}"
+    if side.low is None:
+        return "anywhere"
+    return f"from {number(side.low)}{{unit}} on" if side.low_closed else f"above {number(side.low)}{{unit}}"
+
+
+def _between(side: Side) -> str:
+    low, high = (number(each or Fraction(0)) for each in (side.low, side.high))
+    if side.is_point:
+        return f"= {low}{{unit}}"
+    if side.low_closed:
+        return f"from {low} to {'' if side.high_closed else 'below '}{high}{{unit}}"
+    return f"above {low}, up to {high}{{unit}}" if side.high_closed else f"between {low} and {high}{{unit}}"
+
+
+def box(sides: Mapping[str, Side], universe: Universe) -> str:
+    """Return a box: `distance from 5 to 10 m and angle below 0 deg`."""
+    told = [f"{name} {interval(side, universe.unit(name))}" for name, side in sides.items()]
+    return listed_and(told) if told else "everywhere"
+
+
+def listed_and(items: Sequence[str]) -> str:
+    """Return items joined by commas and a last `and`."""
+    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} and {items[-1]}"
+
+
+def percent(share: Fraction) -> str:
+    """Return a share in percent, with four digits; one that is not 0 or all does not look so."""
+    text = f"{float(100 * share):.4g}"
+    if share not in {0, 1} and text in {"0", "100"}:
+        return "less than 0.01 %" if share < Fraction(1, 2) else "more than 99.99 %"
+    return f"{text} %"
+
+
+def assignments(point: Mapping[str, Fraction]) -> str:
+    """Return a point as `fcl-sim eval` takes it."""
+    return " ".join(f"{name}={short(float(value))}" for name, value in point.items())
+
+
+def quoted(names: Sequence[str]) -> str:
+    """Return names, each in backquotes."""
+    return listed([f"`{each}`" for each in names]).replace(" or ", " and ")

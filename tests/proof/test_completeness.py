@@ -1,0 +1,167 @@
+"""What is proved of an output is what an evaluation shows, everywhere; and z3 comes to the same."""
+
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import z3
+
+from fcl_sim.block import loads
+from fcl_sim.model import And, Degree, Is, Not, Or
+from fcl_sim.proof.axes import base_of
+from fcl_sim.proof.completeness import Certainty, completeness
+from fcl_sim.proof.universe import universe_of
+from tests.house.places import ROOT
+from tests.proof.bases import ANY, HIGH, LOW, block_of, inside, random_points, random_text
+
+
+def universe(block):
+    return universe_of(block, [f"{each.variable}={LOW}..{HIGH}" for each in block.fuzzifications])
+
+
+def active(text, points):
+    """Return at which points a rule is active for y."""
+    columns = {name: np.array([float(each[name]) for each in points]) for name in points[0]}
+    return loads(text).evaluation(columns).active["y"]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_point_is_in_a_gap_exactly_where_no_rule_is_active(seed):
+    text = random_text(seed)
+    block = block_of(text)
+    (proved,) = completeness(block, universe(block))
+    assert (proved.certainty, proved.proved) == (Certainty.EXACT, 1)
+    boxes = proved.gap.boxes if proved.gap else ()
+    assert not (proved.gap and proved.gap.more)
+    points = random_points([each.name for each in block.inputs], seed, 1000)
+    told = [not any(inside(box, point) for box in boxes) for point in points]
+    assert told == active(text, points).tolist()
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_operators_that_leave_doubt_are_never_wrong(seed):
+    text = random_text(seed, ANY)
+    block = block_of(text)
+    (proved,) = completeness(block, universe(block))
+    boxes = proved.gap.boxes if proved.gap else ()
+    points = random_points([each.name for each in block.inputs], seed, 1000)
+    fires = active(text, points)
+    gap = np.array([any(inside(box, point) for box in boxes) for point in points])
+    assert not (gap & fires).any()
+    if proved.certainty is Certainty.EXACT:
+        assert (gap | fires).all()
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_witness_shows_the_gap(seed):
+    text = random_text(seed, ANY)
+    block = block_of(text)
+    (proved,) = completeness(block, universe(block))
+    for gap in filter(None, (proved.gap,)):
+        assert not active(text, [gap.witness]).any()
+        assert inside(gap.boxes[0], gap.witness)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_share_is_the_volume_of_the_boxes_together(seed):
+    text = random_text(seed)
+    block = block_of(text)
+    (proved,) = completeness(block, universe(block))
+    boxes = proved.gap.boxes if proved.gap else ()
+    random = np.random.default_rng(seed)
+    names = [each.name for each in block.inputs]
+    spread = random.uniform(size=(4000, len(names))) * [1 if each == "d" else HIGH - LOW for each in names]
+    points = [dict(zip(names, row.tolist(), strict=True)) for row in spread]
+    hit = np.mean([any(inside(box, point) for box in boxes) for point in points])
+    share = float(proved.gap.share) if proved.gap else 0.0
+    assert abs(hit - share) < 0.04
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_z3_finds_a_point_without_a_rule_exactly_where_there_is_a_gap(seed):
+    block = block_of(random_text(seed))
+    (proved,) = completeness(block, universe(block))
+    assert (proved.gap is not None) == (gap_by_z3(block) is not None)
+
+
+def gap_by_z3(block):
+    """Return a point at which no rule fires, by z3 over the reals; None where it proves there is none."""
+    solver = z3.Solver()
+    names = {each.name: z3.Real(each.name) for each in block.inputs}
+    for name, value in names.items():
+        low, high = (0, 1) if name == "d" else (LOW, HIGH)
+        solver.add(value >= low, value <= high)
+    terms = {
+        (each.variable, term.name): membership(base_of(term), names[each.variable])
+        for each in block.fuzzifications
+        for term in each.terms
+    }
+    for rule in block.rule_blocks[0].rules:
+        if rule.conclusions[0].weight:
+            solver.add(z3.Not(is_above(rule.condition, terms, names)))
+    return solver.model() if solver.check() == z3.sat else None
+
+
+def is_above(condition, terms, names, *, one=False):
+    """Return the formula that a condition's degree is above 0, or with `one` below 1."""
+    match condition:
+        case Is(variable, term):
+            return terms[variable, term] < 1 if one else terms[variable, term] > 0
+        case Degree(variable):
+            return names[variable] < 1 if one else names[variable] > 0
+        case Not(argument):
+            return is_above(argument, terms, names, one=not one)
+        case And(arguments) | Or(arguments):
+            parts = [is_above(each, terms, names, one=one) for each in arguments]
+            return z3.And(*parts) if isinstance(condition, And) != one else z3.Or(*parts)
+    raise TypeError(condition)
+
+
+def membership(base, x):
+    """Return the degree of base points at `x`: the last point, then segments and points before it."""
+    found = number(base[-1][1])
+    for (left, low), (right, high) in reversed(list(pairwise(base))):
+        if left < right:
+            slope = (high - low) / (right - left)
+            found = z3.If(x < number(right), number(low) + number(slope) * (x - number(left)), found)
+        top = max(degree for place, degree in base if place == right)
+        found = z3.If(x == number(right), number(top), found)
+    first = max(degree for place, degree in base if place == base[0][0])
+    found = z3.If(x == number(base[0][0]), number(first), found)
+    return z3.If(x < number(base[0][0]), number(base[0][1]), found)
+
+
+def number(value):
+    return z3.RealVal(str(Fraction(value)))
+
+
+@pytest.mark.parametrize("name", ["crane/crane_printed.fcl", "bath/valve_and.fcl"])
+def test_a_hundred_thousand_points_contradict_nothing(name):
+    text = (ROOT / "scenarios" / name).read_text("utf-8")
+    block = block_of(text)
+    (proved,) = completeness(block, universe_of(block))
+    random = np.random.default_rng(7)
+    ends = {"distance": (-15, 30), "angle": (-60, 60), "ipress": (3850, 4150), "itemp": (40, 105)}
+    columns = {}
+    for each in block.inputs:
+        low, high = ends[each.name]
+        whole = random.integers(low, high, size=100_000, endpoint=True)
+        columns[each.name] = np.where(random.random(100_000) < 0.5, whole, random.uniform(low, high, 100_000))
+    (fires,) = loads(text).evaluation(columns).active.values()
+    gap = np.zeros(100_000, np.bool_)
+    for box in proved.gap.boxes if proved.gap else ():
+        own = np.ones(100_000, np.bool_)
+        for name_, side in box.sides.items():
+            own &= within(side, columns[name_])
+        gap |= own
+    assert np.array_equal(gap, ~fires)
+
+
+def within(side, values):
+    found = np.ones(values.shape, np.bool_)
+    if side.low is not None:
+        found &= values >= float(side.low) if side.low_closed else values > float(side.low)
+    if side.high is not None:
+        found &= values <= float(side.high) if side.high_closed else values < float(side.high)
+    return found
