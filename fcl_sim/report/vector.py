@@ -217,16 +217,18 @@ def _written(mark: Text, line: str, at: tuple[int, int], given: str) -> str:
 
 def _path(axes: Axes, mark: Line | Shape, *, closed: bool = False) -> str:
     """Return the outline of a mark, without the points that nothing would be missed of."""
-    points = _on_page(
-        axes, np.asarray(mark.x, dtype=np.float64), np.asarray(mark.y, dtype=np.float64), mark.parts
+    x, y = (np.asarray(each, dtype=np.float64) for each in (mark.x, mark.y))
+    points = _on_page(axes, x, y, parts=mark.parts)
+    seen: NDArray[np.bool_] = np.asarray(np.isfinite(points).all(axis=1))
+    whole = np.round(np.clip(np.where(seen[:, None], points, 0.0), -FAR, FAR) * UNIT).astype(np.int64)
+    ends = (
+        [0, len(whole)] if seen.all() else np.flatnonzero(np.diff(seen, prepend=False, append=False)).tolist()
     )
-    seen = np.isfinite(points).all(axis=1)
-    ends = np.flatnonzero(np.diff(np.concatenate([[False], seen, [False]]).astype(np.int8)))
     pieces = []
     for start, end in zip(ends[::2], ends[1::2], strict=True):
-        piece = np.round(np.clip(points[start:end], -FAR, FAR) * UNIT).astype(np.int64)
-        pieces.append("M" + " ".join(map(str, _bent(piece).ravel().tolist())) + ("Z" if closed else ""))
-    return "".join(pieces)
+        piece = whole[start:end] if end - start < 3 else _bent(whole[start:end])
+        pieces.append("M" + " ".join(map(str, piece.ravel().tolist())) + ("Z" if closed else ""))
+    return "".join(pieces) if len(whole) else ""
 
 
 def _bent(points: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -242,18 +244,24 @@ def _bent(points: NDArray[np.int64]) -> NDArray[np.int64]:
     return kept
 
 
-def _on_page(axes: Axes, x: Values, y: Values, parts: bool) -> NDArray[np.float64]:  # noqa: FBT001
+def _on_page(axes: Axes, x: Values, y: Values, *, parts: bool) -> NDArray[np.float64]:
     """Return places (n,) on the page (n, 2), in mm from its upper left corner."""
-    (left, right), (low, high) = ((0.0, 1.0), (0.0, 1.0)) if parts else (axes.x, axes.y)
-    across = axes.left + axes.width * ((x - left) / (right - left))
-    down = axes.top + axes.height * (1.0 - (y - low) / (high - low))
-    return np.stack([across, down], axis=1)
+    (left, right), (low, high) = _limits(axes, parts=parts)
+    made = np.empty((len(x), 2))
+    made[:, 0] = axes.left + axes.width * ((x - left) / (right - left))
+    made[:, 1] = axes.top + axes.height * (1.0 - (y - low) / (high - low))
+    return made
 
 
 def _place(axes: Axes, x: float, y: float, *, parts: bool) -> tuple[int, int]:
-    (point,) = _on_page(axes, np.array([x], dtype=np.float64), np.array([y], dtype=np.float64), parts)
-    across, down = np.clip(point, -FAR, FAR).tolist()
-    return _length(across), _length(down)
+    (left, right), (low, high) = _limits(axes, parts=parts)
+    across = axes.left + axes.width * ((x - left) / (right - left))
+    down = axes.top + axes.height * (1.0 - (y - low) / (high - low))
+    return _length(min(max(across, -FAR), FAR)), _length(min(max(down, -FAR), FAR))
+
+
+def _limits(axes: Axes, *, parts: bool) -> tuple[tuple[float, float], tuple[float, float]]:
+    return ((0.0, 1.0), (0.0, 1.0)) if parts else (axes.x, axes.y)
 
 
 def _length(millimetres: float) -> int:
