@@ -7,7 +7,6 @@ from fractions import Fraction
 from itertools import islice
 
 import numpy as np
-from scipy import ndimage
 
 from fcl_sim.engine.switches import switched
 from fcl_sim.model import FunctionBlock
@@ -245,12 +244,25 @@ def _covers(block: FunctionBlock, axes: Sequence[Axis], least: float = 0.0) -> d
 
 
 def _apart(weak: Flags, undefined: Flags) -> Flags:
-    """Return the weak cells that do not hang together with undefined ones."""
-    only = np.asarray(weak & ~undefined)
-    if not only.any() or not weak.ndim:
-        return only
+    """Return the weak cells that do not hang together with undefined ones, by sides, edges or corners."""
+    near = undefined
     if not undefined.any():
-        return only
-    labels, _ = ndimage.label(weak, structure=np.ones((3,) * weak.ndim))
-    around = np.unique(labels[undefined])
-    return np.asarray(only & ~np.isin(labels, around))
+        return weak
+    while (weak & ~near).any():
+        grown = near
+        for axis in range(weak.ndim):
+            grown = _widened(grown, axis)
+        grown = near | (grown & weak)
+        if np.array_equal(grown, near):
+            break
+        near = grown
+    return np.asarray(weak & ~near)
+
+
+def _widened(cells: Flags, axis: int) -> Flags:
+    """Return cells with their neighbours along an axis."""
+    found = np.moveaxis(cells.copy(), axis, 0)
+    own = np.moveaxis(cells, axis, 0)
+    found[1:] |= own[:-1]
+    found[:-1] |= own[1:]
+    return np.moveaxis(found, 0, axis)
