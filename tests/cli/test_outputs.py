@@ -97,6 +97,7 @@ RULES = "scenarios/crane/crane_completed.fcl"
 PRINTING = {
     "check": [("scenarios",), ("nothing.fcl",), ("mistaken.fcl",)],
     "conformance": [(), (RULES,)],
+    "diff": [(RULES, RULES), (RULES, "scenarios/crane/crane_printed.fcl")],
     "eval": [
         (RULES, "distance=12", "angle=4"),
         (RULES, "distance=12", "angle=4", "--explain"),
