@@ -122,7 +122,7 @@ def _clear_eight_uncompiled(memory: Any, at: int) -> None:
 clear_eight: Callable[[Any, Any], None] = (
     extending.intrinsic(_clear_eight) if compiled() else _clear_eight_uncompiled
 )
-"""In a kernel: set eight numbers of a buffer to 0, from an unsigned index on, by one store."""
+"""In a kernel: set eight numbers of a buffer to 0, from an unsigned index on, by two stores of four."""
 
 new_links: Callable[[Any], Any] = (lambda _: SimpleNamespace()) if numba.config.DISABLE_JIT else structref.new
 """In a kernel: make an object of a `links_type`, whose attributes are still to be set."""

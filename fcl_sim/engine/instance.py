@@ -1,7 +1,7 @@
 """An instance of a function block, called as IEC 61131-3 calls one."""
 
 from math import isfinite
-from struct import Struct
+from struct import Struct, error
 from typing import Any, cast
 
 from fcl_sim.engine.entries import one_for
@@ -44,10 +44,8 @@ class Instance:
         self._buffers = (program.ints, program.floats, self._memory)
         self._fits = isfinite if program.arithmetic == "LREAL" else _fits_real
         self._run = one_for(program).compile()
-        long = program.arithmetic == "LREAL"
-        self._together = (
-            program.input_names if long else None
-        )  # inputs that are written at once, if in this order
+        # Inputs that are given in this order are written at once; those of REAL are looked at one by one.
+        self._together = program.input_names if program.arithmetic == "LREAL" else None
         self._pack = Struct(f"{len(self._places)}d").pack_into
 
     def __call__(self, **inputs: float) -> None:
@@ -63,7 +61,7 @@ class Instance:
                 self._pack(self._words, 0, *values)
             else:
                 self._write(inputs)
-        except (TypeError, OverflowError):
+        except (TypeError, OverflowError, error):
             self._write(inputs)
         self._run(*self._buffers)
 
