@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
+from threading import Lock
 from types import SimpleNamespace
 from typing import Any, TypeVar, cast
 
@@ -262,6 +263,7 @@ class Entry:
         self._salt = salt
         self._options = {**OPTIONS, "_nrt": False} if flat else OPTIONS
         self._ready: Callable[..., Any] | None = None
+        self._compiling = Lock()
 
     def __call__(self, *arguments: Any) -> Any:
         """Call the compiled function."""
@@ -270,7 +272,9 @@ class Entry:
     def compile(self) -> Callable[..., Any]:
         """Return the compiled function, from the cache where it has one."""
         if self._ready is None:
-            self._ready = _compile(self.function, self._signature, self._salt, self._options)
+            with self._compiling:
+                if self._ready is None:
+                    self._ready = _compile(self.function, self._signature, self._salt, self._options)
         return self._ready
 
 

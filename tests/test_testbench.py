@@ -10,8 +10,9 @@ import pytest
 from fcl_sim import testbench
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.judge.verdict import Status
+from fcl_sim.loop.run import Halted
 from fcl_sim.plant.catalog import shipped_bench
-from fcl_sim.testbench import BASE, Outcome
+from fcl_sim.testbench import BASE, Outcome, run_together
 
 CRANE = shipped_bench() / "scenarios" / "crane"
 
@@ -132,10 +133,10 @@ def test_one_variant_that_turns_red_turns_the_outcome_red():
 
 
 def test_faults_of_all_variants_come_before_anything_runs(monkeypatch):
-    def never(diagram):
+    def never(diagram, _halt):
         raise AssertionError(diagram)
 
-    monkeypatch.setattr(testbench, "simulate", never)
+    monkeypatch.setattr("fcl_sim.testbench.running.simulate", never)
     with pytest.raises(InputFault) as caught:
         testbench.run(
             CRANE / "transfer.toml", {"plant.start.psition": "-25 m", "plant.inputs.power": "crane.powr"}
@@ -180,3 +181,40 @@ def test_every_crane_of_the_field_parks_within_the_stall_law(transfer):
     law = next(each for each in transfer.base.envelope.verdicts if each.requirement.id == "CR-6")
     assert len(law.values) == 175
     assert np.all((law.values >= 0.0) & (law.values <= 0.505))
+
+
+def test_scenarios_side_by_side_come_to_the_same_as_one_after_the_other():
+    files = [CRANE / "transfer.toml", CRANE / "printed.toml", CRANE / "gust.toml"]
+    short = {"duration": "5 s"}
+    for file, outcome in zip(files, testbench.run_files(files, short, workers=3), strict=True):
+        alone = testbench.run(file, short)
+        assert outcome.scenario.path == file
+        assert outcome.verdict is alone.verdict
+        assert {name: run.metrics for name, run in outcome.variants.items()} == {
+            name: run.metrics for name, run in alone.variants.items()
+        }
+
+
+def test_a_scenario_that_cannot_be_read_stands_in_its_place_and_the_others_are_run(tmp_path):
+    files = [tmp_path / "none.toml", CRANE / "gust.toml"]
+    fault, outcome = testbench.run_files(files, {"duration": "5 s"})
+    assert [each.code for each in fault.diagnostics] == ["SCN101"]
+    assert outcome.scenario.name == "crane/gust"
+
+
+def test_whoever_leaves_off_ends_the_runs_under_way(tmp_path, monkeypatch):
+    """Six hours of the crane, at each point of its grid, would take minutes."""
+    ended = []
+
+    def watched(*arguments):
+        try:
+            return run_together(*arguments)
+        except Halted:
+            ended.append("halted")
+            raise
+
+    monkeypatch.setattr("fcl_sim.testbench.side_by_side.run_together", watched)
+    found = testbench.run_files([tmp_path / "none.toml", CRANE / "gust.toml"], {"duration": "21600 s"})
+    next(found)
+    found.close()
+    assert ended == ["halted"]

@@ -22,12 +22,11 @@ from fcl_sim.loop import trace_file
 from fcl_sim.report import coverage_words, results, summary, writer
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.overrides import setting
-from fcl_sim.testbench import Outcome, Run
+from fcl_sim.testbench import Outcome
 from fcl_sim.verify.cover import LEAST
 from fcl_sim.verify.coverage import Coverage, Item
 
 FORMATS = ("text", "json", "github")
-JUDGING = "reading and judging"
 FILE: click.Path = click.Path(path_type=Path, dir_okay=False)
 
 
@@ -124,7 +123,8 @@ def command(  # noqa: PLR0913  an option each
     outputs = Outputs.of(targets, form)
     as_json = form == "json"
     watch = Stopwatch()
-    outcomes, faults = _simulate(files, overrides, watch)
+    outcomes, faults = _simulate(files, overrides)
+    watch.lap("simulating and judging")
     if older is not None and not faults:
         outcomes = against(outcomes, older)
         watch.lap("the older version")
@@ -165,26 +165,21 @@ def _print_coverage(covered: Sequence[Coverage], *, whole: bool) -> None:
 
 
 def _simulate(
-    files: Sequence[Path], overrides: Mapping[str, object], watch: Stopwatch
+    files: Sequence[Path], overrides: Mapping[str, object]
 ) -> tuple[list[Outcome], dict[Diagnostic, None]]:
     """Run every scenario; return what came of those that could be run, and each fault of the others once."""
     outcomes: list[Outcome] = []
     faults: dict[Diagnostic, None] = {}
     with progress("simulating" if _is_warm() else "compiling kernels (once), simulating") as advance:
-        for done, file in enumerate(files):
+        advance(0, len(files))
+        each_found = zip(files, testbench.run_files(files, overrides), strict=True)
+        for done, (file, found) in enumerate(each_found, 1):
             advance(done, len(files), file.stem)
-            try:
-                outcomes.append(testbench.run(file, overrides))
-                watch.lap(JUDGING)
-                watch.move(JUDGING, "simulating", sum(map(_simulated, outcomes[-1].variants.values())))
-            except InputFault as fault:
-                faults.update(dict.fromkeys(each.within(str(file)) for each in fault.diagnostics))
+            if isinstance(found, Outcome):
+                outcomes.append(found)
+            else:
+                faults.update(dict.fromkeys(each.within(str(file)) for each in found.diagnostics))
     return outcomes, faults
-
-
-def _simulated(run: Run) -> float:
-    """Return the seconds of a run and its envelope."""
-    return run.seconds + (run.envelope.seconds if run.envelope is not None else 0.0)
 
 
 def _is_warm() -> bool:

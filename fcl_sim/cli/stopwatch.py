@@ -16,20 +16,11 @@ class Stopwatch:
     def lap(self, what: str) -> None:
         """Count the time since the last lap as that of `what`."""
         now = perf_counter()
-        self._add(what, now - self._last)
+        self._spent[what] = self._spent.get(what, 0.0) + now - self._last
         self._last = now
-
-    def move(self, before: str, after: str, seconds: float) -> None:
-        """Count so many of the seconds of `before` as those of `after`, which stands in front of it."""
-        rest = self._spent.pop(before) - seconds
-        self._add(after, seconds)
-        self._add(before, max(rest, 0.0))
 
     def __str__(self) -> str:
         """Return what took time, in its order, and how long it took in all."""
         parts = [f"{what} {seconds:.1f} s" for what, seconds in self._spent.items() if seconds >= TENTH]
         whole = f"{perf_counter() - self._begun:.1f} s"
         return f"{whole}: {', '.join(parts)}" if parts else whole
-
-    def _add(self, what: str, seconds: float) -> None:
-        self._spent[what] = self._spent.get(what, 0.0) + seconds

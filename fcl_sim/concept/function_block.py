@@ -12,7 +12,8 @@ from fcl_sim.concept.declaration import Ints
 from fcl_sim.concept.events import event_of
 from fcl_sim.concept.instance import Rounding
 from fcl_sim.concept.network import run_many, run_once
-from fcl_sim.concept.translate import Scale, translated
+from fcl_sim.concept.scale import Scale
+from fcl_sim.concept.translate import translated
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.model import FunctionBlock
@@ -166,8 +167,14 @@ class IntegerInstance:
             if beyond.size:
                 self._counts(name, int(beyond.flat[0]))
             return array.astype(np.int64)
-        counts = [self._counts(name, each) for each in array.ravel().tolist()]
-        return np.array(counts, np.int64).reshape(array.shape)
+        flat = array.ravel()
+        if array.dtype.kind != "f":
+            given = [self._counts(name, each) for each in flat.tolist()]
+            return np.array(given, np.int64).reshape(array.shape)
+        counts, sure = self._scales[name.casefold()].sure_counts(flat.astype(np.float64))
+        for place in np.flatnonzero(~(sure & (counts >= INT_LEAST) & (counts <= INT_MOST))).tolist():
+            counts[place] = self._counts(name, flat[place].item())
+        return counts.astype(np.int64).reshape(array.shape)
 
     def _told(self, result: int) -> None:
         if result:

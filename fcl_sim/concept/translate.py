@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import partial, reduce
 from itertools import groupby
 
@@ -13,6 +12,7 @@ from fcl_sim.concept.defuz import DEFUZ_INT
 from fcl_sim.concept.execute import TABLE
 from fcl_sim.concept.network import Network, Wiring
 from fcl_sim.concept.operators import MAX_INT, MIN_INT, PROD_INT, SUM_INT
+from fcl_sim.concept.scale import Scale
 from fcl_sim.concept.sterm import STERM_INT
 from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span
 from fcl_sim.model import (
@@ -42,22 +42,6 @@ ACCU = {Accumulation.MAX: MAX_INT, Accumulation.BSUM: SUM_INT}
 HINT = (
     "INT has terms of straight lines between 0 and 1, MIN, MAX, PROD, BSUM, and CoGS; else evaluate in REAL"
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Scale:
-    """A channel's scaling: value = counts times `factor` plus `offset`."""
-
-    factor: float = 1
-    offset: float = 0
-
-    def counts(self, value: float) -> int:
-        """Return the nearest count."""
-        return round((Fraction(value) - Fraction(self.offset)) / Fraction(self.factor))
-
-    def value(self, counts: int) -> float:
-        """Return what counts mean."""
-        return counts * self.factor + self.offset
 
 
 @dataclass(slots=True)

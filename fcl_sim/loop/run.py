@@ -1,12 +1,13 @@
 """Diagram → Trace: the whole way of one run."""
 
+from threading import Event
 from time import perf_counter
 
 import numpy as np
 
 from fcl_sim.loop import layout
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Wire
-from fcl_sim.loop.linked import linked
+from fcl_sim.loop.linked import Linked, linked
 from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.reported import events_of, refused
 from fcl_sim.loop.restart import restart_cold, restarted_nodes
@@ -31,22 +32,39 @@ REASONS = {
 
 FIRST_PIECE, MOST_SCANS, PIECE_SECONDS = 16, 1_000_000, 0.25
 """Scans that are run before Python looks up, at first and at most, and the seconds that they should take."""
+MOST_GROWTH = 64.0
+"""How much longer than the one before a piece may be: of several threads each waits for Python after it."""
 
 
-def run(diagram: Diagram) -> Trace:
+class Halted(Exception):
+    """A run was told to end: nobody waits for what comes of it."""
+
+
+def run(diagram: Diagram, halt: Event | None = None) -> Trace:
     """Run a closed loop and return its trace.
 
     Raises InputFault where the diagram does not fit together or a function of
     the user's fails. A run that cannot go on ends with the trace's `fault` set;
-    the samples up to there are kept.
+    the samples up to there are kept. Halted soon after another thread sets `halt`.
     """
-    return run_tape(lower(wire(diagram)))
+    return run_tape(lower(wire(diagram)), halt)
 
 
-def run_tape(tape: Tape) -> Trace:
+def compile_for(diagram: Diagram) -> None:
+    """Compile what runs of a diagram call, as far as no run has; InputFault as of `run`.
+
+    So that a thread which hears of an interrupt can do it: compiling takes a
+    minute where nothing is cached, and cannot be halted.
+    """
+    tape = lower(wire(diagram))
+    _linked(tape)
+    simulate.compile()
+
+
+def run_tape(tape: Tape, halt: Event | None = None) -> Trace:
     """Run a tape from its start; the tape itself is left as it was."""
     state, record = initial_state(tape), empty_record(tape)
-    proceed(tape, state, record)
+    proceed(tape, state, record, halt=halt)
     return trace_of(tape, state, record)
 
 
@@ -55,20 +73,25 @@ def empty_record(tape: Tape) -> Values:
     return np.empty((tape.starts.size, sum(length for _, length in tape.segments)))
 
 
-def proceed(tape: Tape, state: RunState, record: Values, until: int | None = None) -> None:
+def proceed(
+    tape: Tape, state: RunState, record: Values, until: int | None = None, halt: Event | None = None
+) -> None:
     """Run on from `state`, which is changed, to the beginning of scan `until`, else to the end.
 
     The scans that are run fill their rows of `record`. A run that has ended
-    early stays where it is.
+    early stays where it is. Halted where `halt` is set, which is looked at as
+    often as Python looks up.
     """
     scans = tape.starts.size
     last = scans if until is None else min(until, scans)
-    functions = linked(tape.wiring.diagram.plant.model.functions, tape.further, *tape.fuzzy)
+    functions = _linked(tape)
     views = (tape.floats.view(np.float32), state.memory.view(np.float32))
     buffers = (tape.ints, tape.floats, state.memory, *views, state.x, tape.p, state.progress, state.rows)
     times = (tape.starts, tape.schedule.writes)
     piece = FIRST_PIECE
     while state.scan < last and not state.over:
+        if halt is not None and halt.is_set():
+            raise Halted
         if state.scan in tape.schedule.cold and not state.progress[ROW]:
             restart_cold(tape, state)
         stop = min(last, state.scan + piece)
@@ -79,12 +102,16 @@ def proceed(tape: Tape, state: RunState, record: Values, until: int | None = Non
         piece = next_piece(piece, perf_counter() - begun)
 
 
+def _linked(tape: Tape) -> Linked:
+    return linked(tape.wiring.diagram.plant.model.functions, tape.further, *tape.fuzzy)
+
+
 def next_piece(scans: int, seconds: float) -> int:
     """Return how many scans to run next without coming back to Python, after so many took so long.
 
     It is for the user who interrupts a run: compiled code does not hear of that.
     """
-    return max(1, min(MOST_SCANS, int(scans * min(8.0, PIECE_SECONDS / max(seconds, 1e-9)))))
+    return max(1, min(MOST_SCANS, int(scans * min(MOST_GROWTH, PIECE_SECONDS / max(seconds, 1e-9)))))
 
 
 def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:

@@ -5,6 +5,7 @@ import importlib.metadata
 import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
@@ -88,7 +89,12 @@ def load(path: Path) -> PlantModel:
         raise InputFault.at_file(
             "PLT102", str(path), f"the plant cannot be read: {error.strerror}"
         ) from error
-    digest = hashlib.sha256(text).hexdigest()
+    return _model(path, hashlib.sha256(text).hexdigest())
+
+
+@lru_cache(maxsize=64)
+def _model(path: Path, digest: str) -> PlantModel:
+    """Return the plant of a file with that content; all that runs it share one, and its machine code."""
     module = _import(path, digest)
     plant = check_declaration(module, path)
     given: dict[str, Callable[..., Any]] = {

@@ -72,7 +72,7 @@ def test_the_results_have_what_left_the_baseline_and_why(invoke, bench):
 
 
 def test_what_was_accepted_is_shown_without_a_run(invoke, bench, monkeypatch):
-    monkeypatch.setattr("fcl_sim.testbench.simulate", None)
+    monkeypatch.setattr("fcl_sim.testbench.running.simulate", None)
     first, figure, kept = invoke("baseline", "show").stdout.splitlines()
     assert first == "crane/short base: accepted on 2026-01-31: as they are"
     assert figure.startswith("  S-1, peak of crane.sway: 2.")

@@ -136,7 +136,7 @@ def test_the_shipped_bench_is_run_in_a_folder_without_one_and_reports_stay_there
     invoke, tmp_path, monkeypatch
 ):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("fcl_sim.cli.run.testbench.run", refuse)
+    monkeypatch.setattr("fcl_sim.cli.run.testbench.run_files", refuse)
     result = invoke("run")
     assert result.exit_code == 3
     named = [line.partition(":")[0] for line in result.stderr.splitlines()]
@@ -144,7 +144,7 @@ def test_the_shipped_bench_is_run_in_a_folder_without_one_and_reports_stay_there
     assert named == sorted(str(file) for file in shipped if not file.name.endswith(".controller.toml"))
 
 
-def refuse(path, _overrides):
+def refuse(paths, _overrides):
     from fcl_sim.diagnostics import InputFault
 
-    raise InputFault.at_file("RUN999", str(path), "no time for this")
+    return [InputFault.at_file("RUN999", str(path), "no time for this") for path in paths]

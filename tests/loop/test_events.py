@@ -205,7 +205,7 @@ def test_a_run_that_has_used_up_its_steps_is_ended_wherever_it_stands(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("seconds", "least", "most"), [(0.0, 16, 128), (1e-3, 16, 128), (10.0, 1, 1), (0.25, 16, 16)]
+    ("seconds", "least", "most"), [(0.0, 16, 1024), (1e-3, 16, 1024), (10.0, 1, 1), (0.25, 16, 16)]
 )
 def test_python_looks_up_every_quarter_of_a_second(seconds, least, most):
     assert least <= next_piece(16, seconds) <= most

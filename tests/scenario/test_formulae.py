@@ -176,7 +176,7 @@ def test_every_other_run_is_held_against_the_named_one(bench, monkeypatch):
     with_formula(bench, RELATIVE)
     swings = iter([2.0, 4.0, 6.0, 1.0, 5.0, 2.0])
 
-    def simulated(_diagram):
+    def simulated(_diagram, _halt):
         ticks = np.arange(0, 61 * 10**9, 10**9)
         sway = np.full(61, next(swings))
         return Trace(
@@ -186,7 +186,7 @@ def test_every_other_run_is_held_against_the_named_one(bench, monkeypatch):
             values=np.column_stack([np.linspace(25.0, 0.0, 61), sway]),
         )
 
-    monkeypatch.setattr(testbench, "simulate", simulated)
+    monkeypatch.setattr("fcl_sim.testbench.running.simulate", simulated)
     outcome = testbench.run_scenario(bench.read())
     assert [run.metrics.get("CR-4") for run in outcome.variants.values()] == [None, 2.0, 3.0, 0.5, 2.5, 1.0]
 
