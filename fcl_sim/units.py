@@ -50,9 +50,7 @@ class Unit:
     @property
     def symbol(self) -> str:
         """The unit as text that `parse_unit` reads back; empty when dimensionless and 1."""
-        above = " ".join(_power(name, exponent) for name, exponent in self.powers if exponent > 0)
-        below = " ".join(_power(name, -exponent) for name, exponent in self.powers if exponent < 0)
-        return f"{above or '1'}/{below}" if below else above
+        return _as_text(self.powers)
 
     def __str__(self) -> str:
         return self.symbol or "1"
@@ -111,6 +109,13 @@ def _counting_differences(unit: Unit) -> Unit:
     *others, kelvin, _ = unit.dimension
     kept = tuple((name, exponent) for name, exponent in powers.items() if exponent)
     return Unit(unit.scale, unit.pi, (*others, kelvin + celsius, 0), kept)
+
+
+@lru_cache
+def _as_text(powers: tuple[tuple[str, int], ...]) -> str:
+    above = " ".join(_power(name, exponent) for name, exponent in powers if exponent > 0)
+    below = " ".join(_power(name, -exponent) for name, exponent in powers if exponent < 0)
+    return f"{above or '1'}/{below}" if below else above
 
 
 def _power(name: str, exponent: int) -> str:

@@ -2,14 +2,15 @@
 
 The compiled loop leaves Python to the other threads while it runs. What comes
 of a point depends on the point alone, and the points are gathered in their
-order, so the number of threads changes nothing. Of a point a few numbers are
-kept; the worst ones are run once more for their traces.
+order, so the number of threads changes nothing. Of a point of many a few numbers
+are kept; the worst ones are run once more for their traces.
 """
 
 import os
 from collections import deque
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass
 from itertools import chain
 from threading import Event
 from time import perf_counter
@@ -19,18 +20,23 @@ from fcl_sim.envelope.envelope import Envelope, PointRun
 from fcl_sim.envelope.plan import Family, Plan
 from fcl_sim.judge.envelope import AtPoint, judge_envelope, kept
 from fcl_sim.judge.judge import definition, judge
-from fcl_sim.judge.verdict import Verdict
 from fcl_sim.loop.run import run_tape
-from fcl_sim.loop.tape import Tape
-from fcl_sim.loop.trace import Trace
 
 TOGETHER = 4
 """Points that a thread takes at a time."""
 AHEAD = 4
 """Such shares that wait for each thread, at most: no more of the points is in memory."""
 
-Found = tuple[AtPoint, ...]
-"""What came of each requirement at a point."""
+FEW = 8
+"""Points of which all traces are kept in memory, at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """What came of each requirement at a point; the whole run, where the points are few."""
+
+    kept: tuple[AtPoint, ...]
+    run: PointRun | None
 
 
 def execute(plan: Plan, workers: int | None = None, halt: Event | None = None) -> Envelope:
@@ -44,19 +50,21 @@ def execute(plan: Plan, workers: int | None = None, halt: Event | None = None) -
     pool = ThreadPoolExecutor(count)
     try:
         found = list(_every_point(plan, pool, count, halt))
-        columns = list(zip(*found, strict=True))
+        columns = list(zip(*(each.kept for each in found), strict=True))
         verdicts = tuple(
             judge_envelope(asked, column, definition(asked, plan.units.signals), plan.grid.told)
             for asked, column in zip(plan.requirements, columns, strict=True)
         )
         wanted = sorted({each.worst for each in verdicts if each.worst is not None})
-        worst_runs = {each.index: each for each in _whole(plan, wanted, pool, halt)}
+        runs = {each.run.index: each.run for each in found if each.run is not None}
+        again = [index for index in wanted if index not in runs]
+        runs |= {each.index: each for each in _whole(plan, again, pool, halt)}
     finally:
         pool.shutdown(cancel_futures=True)
     return Envelope(
         grid=plan.grid,
         verdicts=verdicts,
-        worst_runs=MappingProxyType(worst_runs),
+        worst_runs=MappingProxyType({index: runs[index] for index in wanted}),
         seconds=perf_counter() - begun,
     )
 
@@ -73,16 +81,24 @@ def _every_point(plan: Plan, pool: ThreadPoolExecutor, workers: int, halt: Event
 
 
 def _judged(plan: Plan, family: Family, share: Sequence[int], halt: Event | None) -> list[Found]:
-    return [tuple(kept(each) for each in _run(plan, family, index, halt)[2]) for index in share]
+    return [_found(plan, _run(plan, family, index, halt)) for index in share]
 
 
-def _run(
-    plan: Plan, family: Family, index: int, halt: Event | None
-) -> tuple[Tape, Trace, tuple[Verdict, ...]]:
+def _found(plan: Plan, run: PointRun) -> Found:
+    return Found(tuple(map(kept, run.verdicts)), run if len(plan.grid) <= FEW else None)
+
+
+def _run(plan: Plan, family: Family, index: int, halt: Event | None) -> PointRun:
     tape, others = family.at(plan.steps(index))
     trace = run_tape(tape, halt)
     runs = {name: run_tape(each, halt) for name, each in others.items()}
-    return tape, trace, judge(trace, family.requirements, runs)
+    return PointRun(
+        index=index,
+        label=plan.grid.told(index),
+        diagram=tape.wiring.diagram,
+        trace=trace,
+        verdicts=judge(trace, family.requirements, runs),
+    )
 
 
 def _whole(
@@ -90,12 +106,4 @@ def _whole(
 ) -> Iterator[PointRun]:
     """Yield the runs of some points with all that came of them."""
     for family, members in plan.families(points):
-        ran = pool.map(lambda index, family=family: (index, *_run(plan, family, index, halt)), members)
-        for index, tape, trace, verdicts in ran:
-            yield PointRun(
-                index=index,
-                label=plan.grid.told(index),
-                diagram=tape.wiring.diagram,
-                trace=trace,
-                verdicts=verdicts,
-            )
+        yield from pool.map(lambda index, family=family: _run(plan, family, index, halt), members)

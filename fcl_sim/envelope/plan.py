@@ -6,7 +6,7 @@ bound, wired and lowered once.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import groupby
 from types import MappingProxyType
 
@@ -25,6 +25,12 @@ from fcl_sim.toml.tree import Entry
 
 POINTS = (Over.BOTH, Over.POINTS, Over.MEAN)
 """What requirements on points are over."""
+
+REMEMBERED = 16
+"""Families that a plan remembers, at most: each has its loop's random numbers."""
+
+Outer = Mapping[str, tuple[int, Entry]]
+"""Of each axis that moves more than the plant, by its key, the number of a value, and the value."""
 
 Numbers = Mapping[str, Sequence[float]]
 """Of each axis that moves the plant alone, by its key, the numbers that its values are."""
@@ -51,7 +57,11 @@ class Family:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The envelope of a run, checked: what is asked of it, and how to come by its tapes."""
+    """The envelope of a run, checked: what is asked of it, and how to come by its tapes.
+
+    `bound` remembers the families of the first few combinations, by axis and
+    number of the value: what was bound to check it is run, too.
+    """
 
     scenario: Scenario
     setup: Setup
@@ -60,14 +70,17 @@ class Plan:
     units: Units
     load_block: LoadBlock
     inner: frozenset[str]
+    bound: dict[tuple[tuple[str, int], ...], Family] = field(default_factory=dict, compare=False)
 
     def families(self, points: Sequence[int]) -> Iterator[tuple[Family, list[int]]]:
         """Yield points in their order, those of one tape together; InputFault where one does not fit."""
         for _, group in groupby(points, key=self._outer_steps):
             members = list(group)
-            entries = self.grid.entries(members[0])
-            outer = {key: entry for key, entry in entries.items() if key not in self.inner}
-            yield _family(self, outer), members
+            entries, steps = self.grid.entries(members[0]), self.steps(members[0])
+            yield (
+                _family(self, {key: (steps[key], entries[key]) for key in steps.keys() - self.inner}),
+                members,
+            )
 
     def steps(self, index: int) -> dict[str, int]:
         """Return which value each axis has at a point, by its key."""
@@ -98,8 +111,8 @@ def plan(scenario: Scenario, setup: Setup, load_block: LoadBlock) -> Plan:
         inner=inner,
     )
     for axis in setup.vary:
-        for entry in axis.values if axis.key not in inner else ():
-            _noting(faults, made, {axis.key: entry})
+        for step, entry in enumerate(axis.values if axis.key not in inner else ()):
+            _noting(faults, made, {axis.key: (step, entry)})
     family = _noting(faults, made, {})
     if faults or family is None:
         raise InputFault(faults)
@@ -107,7 +120,7 @@ def plan(scenario: Scenario, setup: Setup, load_block: LoadBlock) -> Plan:
     return replace(made, requirements=asked, units=family.units)
 
 
-def _noting(faults: dict[Diagnostic, None], made: Plan, outer: Mapping[str, Entry]) -> Family | None:
+def _noting(faults: dict[Diagnostic, None], made: Plan, outer: Outer) -> Family | None:
     try:
         return _family(made, outer)
     except InputFault as fault:
@@ -115,7 +128,17 @@ def _noting(faults: dict[Diagnostic, None], made: Plan, outer: Mapping[str, Entr
     return None
 
 
-def _family(made: Plan, outer: Mapping[str, Entry]) -> Family:
+def _family(made: Plan, outer: Outer) -> Family:
+    key = tuple(sorted((name, step) for name, (step, _) in outer.items()))
+    found = made.bound.get(key)
+    if found is None:
+        found = _new_family(made, {name: entry for name, (_, entry) in outer.items()})
+        if len(made.bound) < REMEMBERED:
+            made.bound[key] = found
+    return found
+
+
+def _new_family(made: Plan, outer: Mapping[str, Entry]) -> Family:
     scenario, name = made.scenario, made.setup.variant
     diagram, units = _bound(made, made.setup, outer)
     faults: list[Diagnostic] = []

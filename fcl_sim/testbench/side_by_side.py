@@ -51,8 +51,7 @@ def _begin(
     try:
         scenario = read(path, overrides)
         prepared = prepare(scenario)
-        for each in prepared:
-            compile_for(each.diagram)
+        compile_for(prepared[0].diagram)
     except InputFault as fault:
         return fault
     return pool.submit(lambda: outcome_of(scenario, run_together(prepared, workers, halt)))

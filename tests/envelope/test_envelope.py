@@ -82,9 +82,9 @@ def test_few_points_are_under_way_at_a_time_and_only_the_worst_keep_their_traces
     alive, most = set(), 0
     true_run = execute.run_tape
 
-    def counted(tape):
+    def counted(tape, halt):
         nonlocal most
-        trace = true_run(tape)
+        trace = true_run(tape, halt)
         alive.add(id(tape))
         most = max(most, len(alive))
         weakref.finalize(trace, alive.discard, id(tape))

@@ -1,5 +1,7 @@
 """Tree → text of a formula, with the parentheses that make its reading plain."""
 
+from functools import lru_cache
+
 from fcl_sim.formula import write as arithmetic
 from fcl_sim.formula.tree import Arithmetic, Number, Scaled, Signal
 from fcl_sim.judge.temporal.sentences import QUOTED
@@ -19,8 +21,12 @@ from fcl_sim.judge.temporal.tree import (
 from fcl_sim.units import short
 
 
+@lru_cache(maxsize=1024)
 def written(node: Node) -> str:
-    """Return the text of a tree; read again, it gives the same tree."""
+    """Return the text of a tree; read again, it gives the same tree.
+
+    It is remembered: at each point of an envelope the same is told.
+    """
     match node:
         case Number() | Signal() | Scaled() | Arithmetic():
             return arithmetic.written(node, QUOTED)
