@@ -7,15 +7,11 @@ import numpy as np
 
 from fcl_sim.block import Block
 from fcl_sim.concept.function_block import IntegerInstance
-from fcl_sim.engine.evaluate import evaluate
 from fcl_sim.engine.program import Program
 from fcl_sim.loop.alone import Alone
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import Values
 from fcl_sim.model import FunctionBlock
-
-MANY = 5000
-"""So many points are evaluated together, to the same bits; fewer are not worth what is compiled for it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,8 +45,6 @@ class Subject:
         if self.arithmetic == "INT":
             return self._in_int(inputs, previous, without)
         program = self.program if without is None else self.program.without(without)
-        if len(inputs) >= MANY and np.isfinite(previous).all():
-            return _together(program, inputs, previous)
         return Alone(program).evaluate(inputs, previous)[:, program.outputs_at : program.active_at]
 
     def _integer(self, block: FunctionBlock) -> IntegerInstance:
@@ -69,12 +63,6 @@ class Subject:
         (first, low), (second, high) = kept
         held = (first == low) & (second == high)
         return np.where(held[back], previous, first[back])
-
-
-def _together(program: Program, inputs: Values, previous: Values) -> Values:
-    given = dict(zip(program.input_names, inputs.T, strict=True))
-    found = evaluate(program, given, dict(zip(program.output_names, previous.T, strict=True)))
-    return np.column_stack([*found.outputs.values()])
 
 
 def of_node(node: FuzzyNode) -> Subject:
