@@ -12,14 +12,15 @@ from fcl_sim.engine.switches import switched
 from fcl_sim.model import FunctionBlock
 from fcl_sim.proof.axes import Axis, Flags
 from fcl_sim.proof.boxes import boxes_of
-from fcl_sim.proof.coupled import are_apart, kept, possible, whole
+from fcl_sim.proof.coupled import are_apart, possible
 from fcl_sim.proof.cubes import Cube, firings, left_out
 from fcl_sim.proof.nearest import Missing, missing_at
-from fcl_sim.proof.points import Point, witness
+from fcl_sim.proof.points import Point
 from fcl_sim.proof.slabs import Budget, Slab, slabs
 from fcl_sim.proof.space import Side, Space, axes_of, condensed
 from fcl_sim.proof.strength import strong_axes
 from fcl_sim.proof.universe import Universe
+from fcl_sim.proof.witnesses import Witnesses
 
 EPSILON = 0.05
 """The part of the strongest degree from which on a term counts, where nothing is said."""
@@ -167,10 +168,7 @@ class _Prover:
 
     def point(self, sides: Mapping[str, Side]) -> Point | None:
         """Return a witness in a box that keeps to the couplings."""
-        point = witness(self._block, self._axes, sides)
-        room = {each.variable: sides.get(each.variable, whole(each)) for each in self._axes}
-        room |= {name: Side(value, value) for name, value in point.items() if name not in room}
-        return kept(point, room, self._universe.couplings)
+        return Witnesses(self._block, self._axes, self._universe).inside(sides)
 
     def missing(self, output: str, point: Point, least: Fraction) -> Missing:
         """Return what is missing at a witness."""

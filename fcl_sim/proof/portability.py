@@ -56,7 +56,8 @@ def otherwise(block: FunctionBlock, universe: Universe) -> Iterator[Otherwise]:
     ours = Block(block, assemble(block))
     for habit in _habits(block):
         theirs = Block(habit.block, assemble(habit.block))
-        found = [(each, each.largest.reached) for each in apart(ours, theirs, universe) if each.largest]
+        differences = apart(ours, theirs, universe, coarse=True)
+        found = [(each, each.largest.reached) for each in differences if each.largest]
         worst, most = max(found, key=lambda each: each[1], default=(None, 0.0))
         if worst is not None and most > worst.threshold:
             yield Otherwise(habit, worst)

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from math import isnan
-from shlex import quote
 
 from fcl_sim.diagnostics import Severity
 from fcl_sim.model import Defuzzification, FunctionBlock
@@ -10,7 +9,7 @@ from fcl_sim.proof.completeness import Certainty, Completeness, Gap
 from fcl_sim.proof.finding import Finding, found
 from fcl_sim.proof.nearest import Missing
 from fcl_sim.proof.universe import Universe
-from fcl_sim.proof.words import assignments, box, percent, quoted
+from fcl_sim.proof.words import box, command, percent, quoted
 from fcl_sim.units import short
 
 SHOWN = 3
@@ -40,13 +39,11 @@ def percent_of(epsilon: float) -> str:
 
 
 def _gap(code: str, message: str, output: Defuzzification, proved: Completeness, gap: Gap) -> Finding:
-    file = output.span.source.name if output.span else "FILE"
-    point = assignments(gap.witness)
     return found(
         code,
         message,
         [output.span],
-        f"{_missing(gap.missing)}; see `fcl-sim eval {quote(file)} {point}`",
+        f"{_missing(gap.missing)}; see `{command(output.span, gap.witness, thin=gap.boxes[0].is_thin)}`",
         certainty=proved.certainty,
         variable=proved.output,
         witness=gap.witness,

@@ -13,29 +13,36 @@ from fcl_sim.proof.coupled import whole
 from fcl_sim.proof.finding import Finding, found
 from fcl_sim.proof.rules import Pair, Said, contradictory, dead, idle, nested, said, twice, without_weight
 from fcl_sim.proof.universe import Universe
+from fcl_sim.proof.witnesses import Witnesses
 from fcl_sim.proof.words import interval
 
 
 def told_rules(block: FunctionBlock, axes: Sequence[Axis], universe: Universe) -> Iterator[Finding]:
     """Yield the findings on rules of the block; one that never fires is told of that alone."""
+    points = Witnesses(block, axes, universe)
     every = said(block)
     never = dead(block, axes, every)
     for each in never:
         yield _dead(each, axes, universe)
-    for each in without_weight(every):
-        message = f"rule {each.label} concludes nothing on `{each.conclusion.variable}`: its weight is 0"
-        yield found(
-            "FCL613", message, [each.conclusion.span], "give it a weight, or remove it", rule=each.label
-        )
     gone = {each.place for each in never}
     alive = [each for each in every if each.place not in gone]
+    for each in without_weight(alive):
+        message = f"rule {each.label} concludes nothing on `{each.conclusion.variable}`: its weight is 0"
+        yield found(
+            "FCL613",
+            message,
+            [each.conclusion.span],
+            "give it a weight, or remove it",
+            rule=each.label,
+            witness=points.rule(each.place),
+        )
     for pair in twice(alive):
-        yield _twice(pair)
+        yield _twice(pair, points)
     for pair in contradictory(alive):
-        yield _contradictory(pair)
+        yield _contradictory(pair, points)
     for pair in idle(alive, axes):
-        yield _idle(pair)
-    yield from _nested(nested(alive))
+        yield _idle(pair, points)
+    yield from _nested(nested(alive), points)
 
 
 def _dead(each: Said, axes: Sequence[Axis], universe: Universe) -> Finding:
@@ -72,7 +79,7 @@ def _impossible(axis: Axis, asks: Sequence[Ask], universe: Universe) -> str:
     return f"`{axis.variable}` goes {reach}, where it is never {names[0]}"
 
 
-def _twice(pair: Pair) -> Finding:
+def _twice(pair: Pair, points: Witnesses) -> Finding:
     told, because = pair.told, pair.because
     return found(
         "FCL604",
@@ -81,10 +88,12 @@ def _twice(pair: Pair) -> Finding:
         "remove one of them; one of them may be meant for other terms",
         others=[(because.conclusion.span, "said here")],
         rule=told.label,
+        beside=because.label,
+        witness=points.rule(told.place),
     )
 
 
-def _contradictory(pair: Pair) -> Finding:
+def _contradictory(pair: Pair, points: Witnesses) -> Finding:
     told, because = pair.told, pair.because
     other = conclusion(because.conclusion)
     return found(
@@ -94,10 +103,12 @@ def _contradictory(pair: Pair) -> Finding:
         "both count, and the output lies between them: remove the wrong one",
         others=[(because.conclusion.span, "the same condition")],
         rule=told.label,
+        beside=because.label,
+        witness=points.rule(told.place),
     )
 
 
-def _idle(pair: Pair) -> Finding:
+def _idle(pair: Pair, points: Witnesses) -> Finding:
     told, because = pair.told, pair.because
     return found(
         "FCL606",
@@ -107,10 +118,12 @@ def _idle(pair: Pair) -> Finding:
         "remove it, or make its conclusion the one that was meant",
         others=[(because.conclusion.span, "this counts instead")],
         rule=told.label,
+        beside=because.label,
+        witness=points.rule(told.place),
     )
 
 
-def _nested(pairs: Sequence[Pair]) -> Iterator[Finding]:
+def _nested(pairs: Sequence[Pair], points: Witnesses) -> Iterator[Finding]:
     """Yield one finding for each general rule, with all that it stands beside."""
     groups: dict[tuple[int, str], list[Pair]] = {}
     for each in pairs:
@@ -130,4 +143,6 @@ def _nested(pairs: Sequence[Pair]) -> Iterator[Finding]:
             Severity.NOTE,
             others=[(each.told.conclusion.span, "asks for more") for each in group[:2]],
             rule=because.label,
+            beside=group[0].told.label,
+            witness=points.rule(group[0].told.place),
         )

@@ -7,7 +7,7 @@ from fcl_sim.model import FunctionBlock, Fuzzification
 from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.coupled import whole
 from fcl_sim.proof.finding import Finding, found
-from fcl_sim.proof.points import span_of, within
+from fcl_sim.proof.points import Point
 from fcl_sim.proof.terms import (
     beyond,
     beyond_range,
@@ -18,7 +18,8 @@ from fcl_sim.proof.terms import (
     without_effect,
 )
 from fcl_sim.proof.universe import Universe
-from fcl_sim.proof.words import interval, number, quoted
+from fcl_sim.proof.witnesses import Witnesses
+from fcl_sim.proof.words import command, interval, number, quoted
 from fcl_sim.units import short
 
 
@@ -33,14 +34,19 @@ def told_terms(block: FunctionBlock, axes: Sequence[Axis], universe: Universe) -
     for fuzzification in block.fuzzifications:
         name = fuzzification.variable.casefold()
         if name not in silent and name in own and fuzzification.enabled:
-            yield from _input(block, fuzzification, own[name], universe)
+            yield from _input(block, fuzzification, own[name], axes, universe)
     yield from _outputs(block)
 
 
 def _input(
-    block: FunctionBlock, fuzzification: Fuzzification, axis: Axis, universe: Universe
+    block: FunctionBlock,
+    fuzzification: Fuzzification,
+    axis: Axis,
+    axes: Sequence[Axis],
+    universe: Universe,
 ) -> Iterator[Finding]:
     name, unit = axis.variable, universe.unit(axis.variable)
+    points = Witnesses(block, axes, universe)
     far = beyond(axis, fuzzification, universe)
     if far:
         reach = interval(whole(axis), unit)
@@ -57,28 +63,33 @@ def _input(
     if idle:
         message = f"no rule asks for {quoted([each.name for each in idle])} of `{name}`"
         hint = "add the rules that are missing, or remove the terms that nobody needs"
-        yield found("FCL608", message, [each.span for each in idle], hint, variable=name)
+        witness = points.term(axis, idle[0].name)
+        yield found("FCL608", message, [each.span for each in idle], hint, variable=name, witness=witness)
     gaps = gaps_between(axis, fuzzification)
     if gaps:
         where = " and ".join(interval(each, unit) for each in gaps)
-        witness = {name: within(gaps[0], span_of(axis))}
+        witness = points.inside({name: gaps[0]})
         message = f"no term of `{name}` is above 0 where it is {where}"
         hint = "let neighbouring terms overlap: the one begins to rise where the other begins to fall"
+        hint += _seen(fuzzification, witness, thin=gaps[0].is_point)
         yield found("FCL612", message, [fuzzification.span], hint, variable=name, witness=witness)
     off = off_one(axis, fuzzification)
     if off is not None:
         at = f"{number(off.at)}{f' {unit}' if unit else ''}"
         message = f"the degrees of `{name}` nearly add up to 1, but at {at} to {number(off.total)}"
         hint = "give neighbouring terms the same points"
+        witness = points.at(name, off.at)
+        hint = f"give neighbouring terms the same points{_seen(fuzzification, witness, thin=True)}"
         yield found(
-            "FCL614",
-            message,
-            [fuzzification.span],
-            hint,
-            Severity.NOTE,
-            variable=name,
-            witness={name: off.at},
+            "FCL614", message, [fuzzification.span], hint, Severity.NOTE, variable=name, witness=witness
         )
+
+
+def _seen(fuzzification: Fuzzification, witness: Point | None, *, thin: bool) -> str:
+    """Return the command that shows the degrees of an input at a point."""
+    if witness is None:
+        return ""
+    return f"; see `{command(fuzzification.span, witness, thin=thin, explain=True)}`"
 
 
 def _outputs(block: FunctionBlock) -> Iterator[Finding]:

@@ -2,7 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from shlex import quote
 
+from fcl_sim.diagnostics import Span
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.proof.space import Side
 from fcl_sim.proof.universe import Universe
@@ -14,6 +16,18 @@ DIGITS = 6
 def number(value: Fraction) -> str:
     """Return a number: exactly where few digits tell it, else rounded."""
     return short(float(f"{float(value):.{DIGITS}g}") + 0.0)
+
+
+def in_full(value: Fraction) -> str:
+    """Return a number without rounding: as a decimal, else as a fraction with what it is about."""
+    decimal = as_decimal(value)
+    return decimal or f"{value} ({float(value):.{DIGITS}g})"
+
+
+def as_decimal(value: Fraction) -> str:
+    """Return a number as a decimal that is exact; empty where none of few digits is."""
+    text = short(float(value) + 0.0)
+    return text if Fraction(text) == value else ""
 
 
 def interval(side: Side, unit: str = "") -> str:
@@ -61,6 +75,22 @@ def percent(share: Fraction) -> str:
 def assignments(point: Mapping[str, Fraction]) -> str:
     """Return a point as `fcl-sim eval` takes it."""
     return " ".join(f"{name}={short(float(value))}" for name, value in point.items())
+
+
+def in_fractions(point: Mapping[str, Fraction]) -> str:
+    """Return a point as `fcl-sim eval --exact` takes it."""
+    return " ".join(f"{name}={as_decimal(value) or value}" for name, value in point.items())
+
+
+def command(
+    span: Span | None, point: Mapping[str, Fraction], *, thin: bool = False, explain: bool = False
+) -> str:
+    """Return the command that shows a point; where that is of no width, `thin`, the exact one."""
+    file = quote(span.source.name if span else "FILE")
+    more = " --explain" if explain else ""
+    if thin or not all(map(as_decimal, point.values())):
+        return f"fcl-sim eval {file} --exact{more} {in_fractions(point)}"
+    return f"fcl-sim eval {file}{more} {assignments(point)}"
 
 
 def quoted(names: Sequence[str]) -> str:

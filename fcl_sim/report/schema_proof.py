@@ -78,7 +78,9 @@ def _proof() -> Schema:
     optional = {
         "variable": text("the input or output that it is about"),
         "rule": text("label of the rule that it is about"),
+        "beside": text("label of the rule that it stands beside"),
         "witness": by_name("inputs at which an evaluation shows it", number("")),
+        "witness_exact": by_name("the same as fractions, for `fcl-sim eval --exact`", text("")),
         "share": number("the part of the universe that it takes"),
         "share_exact": text("the same as a fraction, as in 179/288"),
         "boxes": {
