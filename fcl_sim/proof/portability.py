@@ -53,8 +53,11 @@ class Otherwise:
 
 def otherwise(block: FunctionBlock, universe: Universe) -> Iterator[Otherwise]:
     """Yield for each habit the output that it changes most."""
+    habits = list(_habits(block))
+    if not habits:
+        return
     ours = Block(block, assemble(block))
-    for habit in _habits(block):
+    for habit in habits:
         theirs = Block(habit.block, assemble(habit.block))
         differences = apart(ours, theirs, universe, coarse=True)
         found = [(each, each.largest.reached) for each in differences if each.largest]

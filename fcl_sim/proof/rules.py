@@ -1,6 +1,6 @@
 """What is to be said about rules beside each other: twice the same, contradictions, rules without effect."""
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -124,46 +124,63 @@ def idle(conclusions: Sequence[Said], axes: Sequence[Axis]) -> tuple[Pair, ...]:
     That is so only where MAX accumulates; rules with the same condition are `twice`.
     """
     implied = _Implied(axes)
+    groups: dict[tuple[object, ...], list[Said]] = {}
+    for each in _comparable(conclusions):
+        if each.rule_block.accumulation is Accumulation.MAX:
+            groups.setdefault((each.output, each.what), []).append(each)
     found = []
-    for told, because in _pairs(_comparable(conclusions)):
+    for told, because in (pair for own in groups.values() for pair in _pairs(own)):
         if (
             told.place != because.place
-            and told.what == because.what
             and told.clauses != because.clauses
             and _weight(told) <= _weight(because)
-            and all(each.rule_block.accumulation is Accumulation.MAX for each in (told, because))
             and implied.rule(told, because)
         ):
             found.append(Pair(told, because))
-    return _once(found)
+    return tuple(sorted(_once(found), key=lambda each: each.told.place))
 
 
 def nested(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
     """Return conclusions of rules that ask for more than another one that concludes something else."""
+    general: dict[tuple[str, Clause], list[Said]] = {}
+    alone = [each for each in _comparable(conclusions) if len(each.clauses or ()) == 1]
+    for each in alone:
+        general.setdefault((each.output, _clause(each)), []).append(each)
     found = []
-    for told, because in _pairs(_comparable(conclusions)):
-        if told.what != because.what and _asks_for_more(told.clauses or (), because.clauses or ()):
-            found.append(Pair(told, because))
+    for told in alone:
+        others = [
+            each
+            for part in _parts(_clause(told), [clause for output, clause in general if output == told.output])
+            for each in general.get((told.output, part), ())
+        ]
+        others.sort(key=lambda each: each.place)
+        found += [Pair(told, because) for because in others if told.what != because.what]
     return tuple(found)
 
 
+def _parts(own: Clause, known: Sequence[Clause]) -> Iterator[Clause]:
+    """Yield those of the known clauses that are a part of the own: the shorter way is taken."""
+    if len(known) < 2 ** len(own):
+        yield from (each for each in known if each < own)
+    else:
+        for size in range(len(own)):
+            yield from map(frozenset, combinations(own, size))
+
+
+def _clause(each: Said) -> Clause:
+    """Return the one alternative of a conclusion that has no other."""
+    (found,) = each.clauses or (frozenset(),)
+    return found
+
+
 def _pairs(conclusions: Sequence[Said]) -> Iterator[tuple[Said, Said]]:
-    """Yield pairs of conclusions on one output of which the first may ask for more than the other."""
-    outputs: dict[str, list[Said]] = {}
-    for each in conclusions:
-        outputs.setdefault(each.output, []).append(each)
-    for own in outputs.values():
-        shortest = [min(map(len, each.clauses or ()), default=0) for each in own]
-        longest = [max(map(len, each.clauses or ()), default=0) for each in own]
-        for first, told in enumerate(own):
-            for other, because in enumerate(own):
-                if first != other and shortest[other] <= longest[first]:
-                    yield told, because
-
-
-def _asks_for_more(own: Collection[Clause], others: Collection[Clause]) -> bool:
-    """Return whether both have one alternative, and the first one's contains the other's."""
-    return len(own) == len(others) == 1 and next(iter(others)) < next(iter(own))
+    """Yield pairs of conclusions of which the first may ask for more than the other."""
+    shortest = [min(map(len, each.clauses or ()), default=0) for each in conclusions]
+    longest = [max(map(len, each.clauses or ()), default=0) for each in conclusions]
+    for first, told in enumerate(conclusions):
+        for other, because in enumerate(conclusions):
+            if first != other and shortest[other] <= longest[first]:
+                yield told, because
 
 
 def _comparable(conclusions: Sequence[Said]) -> list[Said]:
