@@ -19,7 +19,7 @@ HIGH = 100.0
 
 @dataclass(frozen=True)
 class Size:
-    """A rule base: a full grid of rules, or so many rules over terms of any shape that ask for some inputs."""
+    """A rule base: a full grid of rules, or so many that ask for some inputs, over terms of any shape."""
 
     inputs: int
     terms: int
