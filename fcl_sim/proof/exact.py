@@ -41,8 +41,9 @@ from fcl_sim.model import (
     Term,
 )
 from fcl_sim.model.labels import unique_labels
-from fcl_sim.proof.exact_areas import Piece, accumulated, content, defuzzified, largest, profile
+from fcl_sim.proof.exact_areas import Piece, accumulated, content, defuzzified, profile
 from fcl_sim.proof.points import membership
+from fcl_sim.proof.profiles import largest
 from fcl_sim.proof.rationals import ZERO, NotExact, calculated, clamped, conjunction, disjunction, hedged
 from fcl_sim.units import exact
 
