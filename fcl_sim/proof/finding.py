@@ -65,9 +65,14 @@ def as_json(finding: Finding) -> Json:
     if finding.share is not None:
         told |= {"share": float(finding.share), "share_exact": str(finding.share)}
     if finding.boxes:
-        told["boxes"] = [{name: _side(side) for name, side in each.sides.items()} for each in finding.boxes]
+        told["boxes"] = boxes_json(finding.boxes)
         told["more_boxes"] = finding.more
     return told
+
+
+def boxes_json(boxes: Sequence[Box]) -> list[Json]:
+    """Return boxes as JSON's types: for each, intervals by input."""
+    return [{name: _side(side) for name, side in each.sides.items()} for each in boxes]
 
 
 def _side(side: Side) -> Mapping[str, float | bool | None]:
