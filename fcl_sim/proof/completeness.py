@@ -19,6 +19,7 @@ from fcl_sim.proof.points import Point
 from fcl_sim.proof.slabs import Budget, Slab, slabs
 from fcl_sim.proof.space import Side, Space, axes_of, condensed
 from fcl_sim.proof.strength import strong_axes
+from fcl_sim.proof.terms import barren
 from fcl_sim.proof.universe import Universe
 from fcl_sim.proof.witnesses import Witnesses
 
@@ -67,6 +68,10 @@ class Gap:
     share: Fraction | None
     witness: Point
     missing: Missing
+
+    def has_all_of(self, variable: str, side: Side) -> bool:
+        """Return whether one of the boxes has an interval of an input, whatever the others are."""
+        return any(each.sides.keys() == {variable} and each.sides[variable].has(side) for each in self.boxes)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -170,9 +175,9 @@ class _Prover:
         """Return a witness in a box that keeps to the couplings."""
         return Witnesses(self._block, self._axes, self._universe).inside(sides)
 
-    def missing(self, output: str, point: Point, least: Fraction) -> Missing:
-        """Return what is missing at a witness."""
-        return missing_at(self._block, output, point, least)
+    def missing(self, output: str, point: Point, box: Box, least: Fraction) -> Missing:
+        """Return what is missing at a witness in a box."""
+        return missing_at(self._block, output, point, box.sides.keys(), least)
 
 
 class _Found:
@@ -224,7 +229,7 @@ class _Found:
             more=self._more,
             share=self._share,
             witness=self._point,
-            missing=self._prover.missing(self._output, self._point, self._least),
+            missing=self._prover.missing(self._output, self._point, self._boxes[0], self._least),
         )
 
 
@@ -234,10 +239,12 @@ def _covers(block: FunctionBlock, axes: Sequence[Axis], least: float = 0.0) -> d
     exact = all(each.exact for each in surely)
     possibly = surely if exact else firings(block, axes, certain=False, least=least)
     found: dict[str, _Covers] = {}
+    idle = barren(block)
     for one, other in zip(surely, possibly, strict=True):
         own = found.setdefault(one.conclusion.variable.casefold(), _Covers([], []))
-        own.surely.extend(one.cubes)
-        own.possibly.extend(other.cubes)
+        if (one.conclusion.variable.casefold(), (one.conclusion.term or "").casefold()) not in idle:
+            own.surely.extend(one.cubes)
+            own.possibly.extend(other.cubes)
     return found
 
 

@@ -1,6 +1,6 @@
 """What is to be said about rules beside each other: twice the same, contradictions, rules without effect."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -88,6 +88,14 @@ def dead(block: FunctionBlock, axes: Sequence[Axis], conclusions: Sequence[Said]
     return tuple(found.values())
 
 
+def asks_in_vain(each: Said, terms: Collection[tuple[str, str]]) -> bool:
+    """Return whether every alternative of a rule asks for one of `terms`, by input and name in lower case."""
+    return bool(each.clauses) and all(
+        any((ask.variable, ask.term) in terms and not ask.hedges and not ask.negated for ask in clause)
+        for clause in each.clauses or ()
+    )
+
+
 def twice(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
     """Return conclusions that an earlier rule with the same condition has already."""
     return _once(Pair(later, first) for first, later in _alike(conclusions) if first.what == later.what)
@@ -141,20 +149,29 @@ def idle(conclusions: Sequence[Said], axes: Sequence[Axis]) -> tuple[Pair, ...]:
 
 
 def nested(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
-    """Return conclusions of rules that ask for more than another one that concludes something else."""
-    general: dict[tuple[str, Clause], list[Said]] = {}
-    alone = [each for each in _comparable(conclusions) if len(each.clauses or ()) == 1]
-    for each in alone:
-        general.setdefault((each.output, _clause(each)), []).append(each)
+    """Return conclusions of rules that ask for more than another one that concludes something else.
+
+    Whatever OR is, it is not below any of its arguments: the other one may have several alternatives.
+    """
+    general: dict[str, dict[Clause, list[Said]]] = {}
+    for each in conclusions:
+        if _counts(each):
+            for clause in each.clauses or ():
+                general.setdefault(each.output, {}).setdefault(clause, []).append(each)
     found = []
-    for told in alone:
-        others = [
-            each
-            for part in _parts(_clause(told), [clause for output, clause in general if output == told.output])
-            for each in general.get((told.output, part), ())
+    for told in _comparable(conclusions):
+        known = general[told.output]
+        first = next(iter(told.clauses or (frozenset(),)))
+        others = {
+            (each.place, each.what): each
+            for part in (first, *_parts(first, [*known]))
+            for each in known.get(part, ())
+        }
+        found += [
+            Pair(told, others[key])
+            for key in sorted(others)
+            if told.what != others[key].what and _asks_for_more(told, others[key])
         ]
-        others.sort(key=lambda each: each.place)
-        found += [Pair(told, because) for because in others if told.what != because.what]
     return tuple(found)
 
 
@@ -167,12 +184,6 @@ def _parts(own: Clause, known: Sequence[Clause]) -> Iterator[Clause]:
             yield from map(frozenset, combinations(own, size))
 
 
-def _clause(each: Said) -> Clause:
-    """Return the one alternative of a conclusion that has no other."""
-    (found,) = each.clauses or (frozenset(),)
-    return found
-
-
 def _pairs(conclusions: Sequence[Said]) -> Iterator[tuple[Said, Said]]:
     """Yield pairs of conclusions of which the first may ask for more than the other."""
     shortest = [min(map(len, each.clauses or ()), default=0) for each in conclusions]
@@ -183,15 +194,29 @@ def _pairs(conclusions: Sequence[Said]) -> Iterator[tuple[Said, Said]]:
                 yield told, because
 
 
+def _asks_for_more(told: Said, because: Said) -> bool:
+    """Return whether each alternative of the first has one of the other's in it, under the same AND."""
+    own, others = told.clauses or (), because.clauses or ()
+    return (
+        told.rule_block.and_operator is because.rule_block.and_operator
+        and own != others
+        and all(any(other <= each for other in others) for each in own)
+    )
+
+
 def _comparable(conclusions: Sequence[Said]) -> list[Said]:
+    """Return the conclusions whose degree is the largest of those of their alternatives."""
     return [
         each
         for each in conclusions
-        if each.clauses is not None
-        and each.rule_block.and_operator in KEEPING
-        and (len(each.clauses) == 1 or each.rule_block.or_operator is OrOperator.MAX)
-        and each.conclusion.weight != 0.0
+        if _counts(each) and (len(each.clauses or ()) == 1 or each.rule_block.or_operator is OrOperator.MAX)
     ]
+
+
+def _counts(each: Said) -> bool:
+    return (
+        each.clauses is not None and each.rule_block.and_operator in KEEPING and each.conclusion.weight != 0.0
+    )
 
 
 def _weight(each: Said) -> float:

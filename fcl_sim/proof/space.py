@@ -30,6 +30,20 @@ class Side:
         """Whether it has no width."""
         return self.low is not None and self.low == self.high
 
+    def has(self, other: "Side") -> bool:
+        """Return whether all of another interval is in this one."""
+        from_low = self.low is None or (
+            other.low is not None
+            and (self.low < other.low or (self.low == other.low and self.low_closed >= other.low_closed))
+        )
+        to_high = self.high is None or (
+            other.high is not None
+            and (
+                self.high > other.high or (self.high == other.high and self.high_closed >= other.high_closed)
+            )
+        )
+        return from_low and to_high
+
 
 @dataclass(frozen=True, slots=True)
 class Run:

@@ -11,6 +11,8 @@ from fcl_sim.proof.universe import Universe
 from fcl_sim.units import short
 
 DIGITS = 6
+MANY = 4
+"""Rules that are named; of more, some are counted."""
 
 
 def number(value: Fraction) -> str:
@@ -34,6 +36,11 @@ def interval(side: Side, unit: str = "") -> str:
     """Return an interval as it stands behind a variable: `from 5 to 10 m`, `below 0 m`."""
     told = _between(side) if side.low is not None and side.high is not None else _without_end(side)
     return told.format(unit=f" {unit}" if unit else "")
+
+
+def over(side: Side, unit: str = "") -> str:
+    """Return an interval as it stands behind a statement: `from 5 to 10 m`, `at 5 m`."""
+    return interval(side, unit).replace("= ", "at ", 1) if side.is_point else interval(side, unit)
 
 
 def _without_end(side: Side) -> str:
@@ -96,3 +103,11 @@ def command(
 def quoted(names: Sequence[str]) -> str:
     """Return names, each in backquotes."""
     return listed([f"`{each}`" for each in names]).replace(" or ", " and ")
+
+
+def rules_named(labels: Sequence[str]) -> str:
+    """Return rules by their labels, in the singular or plural: `rules 1, 2, 3 and 5 others`."""
+    if len(labels) == 1:
+        return f"rule {labels[0]}"
+    few = [*labels] if len(labels) <= MANY else [*labels[: MANY - 1], f"{len(labels) - MANY + 1} others"]
+    return f"rules {listed_and(few)}"

@@ -16,6 +16,24 @@ from fcl_sim.proof.universe import universe_of
 from tests.house.places import ROOT
 from tests.proof.bases import ANY, HIGH, LOW, block_of, inside, random_points, random_text
 
+AREAS = """
+FUNCTION_BLOCK areas
+VAR_INPUT x: REAL; END_VAR
+VAR_OUTPUT y: REAL; END_VAR
+FUZZIFY x TERM low := (0, 1) (1, 0); TERM high := (0, 0) (1, 1); END_FUZZIFY
+DEFUZZIFY y
+    TERM small := (0, 0) (20, 1) (40, 0);
+    TERM large := {shape};
+    METHOD: CoG; DEFAULT := 7; RANGE := (0 .. 100);
+END_DEFUZZIFY
+RULEBLOCK No1
+    ACCU: MAX;
+    RULE 1: IF x IS low THEN y IS small;
+    RULE 2: IF x IS high THEN y IS large;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+"""
+
 
 def universe(block):
     return universe_of(block, [f"{each.variable}={LOW}..{HIGH}" for each in block.fuzzifications])
@@ -135,6 +153,24 @@ def membership(base, x):
 
 def number(value):
     return z3.RealVal(str(Fraction(value)))
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        "(100, 0) (150, 1) (200, 0)",
+        "(150, 0) (200, 1)",
+        "(50, 0) (50, 1) (50, 0)",
+        "COSINE 150 100",
+        "(90, 1)",
+    ],
+)
+def test_a_rule_whose_term_has_no_area_within_range_defines_nothing(shape):  # S31
+    text = AREAS.format(shape=shape)
+    (proved,) = completeness(block_of(text), universe_of(block_of(text)))
+    points = [{"x": Fraction(n, 8)} for n in range(-8, 17)]
+    told = [not (proved.gap and any(inside(box, each) for box in proved.gap.boxes)) for each in points]
+    assert told == active(text, points).tolist()
 
 
 SHIPPED = sorted((ROOT / "scenarios").rglob("*.fcl"))
