@@ -17,6 +17,7 @@ from benchmarks.growth import measure_growth
 from benchmarks.many_runs import measure_runs
 from benchmarks.page import Section, setting, write
 from benchmarks.peers import measure_peers
+from benchmarks.proof import measure_proof
 from benchmarks.start import measure_start
 from benchmarks.yardstick import Line
 
@@ -27,6 +28,7 @@ SECTIONS = {
     "runs": ("Many runs", measure_runs),
     "peers": ("Called from Python, against Python", measure_peers),
     "growth": ("Growth with the number of rules", measure_growth),
+    "proof": ("Proving a rule base", measure_proof),
     "start": ("From the start of a process", measure_start),
 }
 

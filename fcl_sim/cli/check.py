@@ -9,14 +9,17 @@ import click
 
 from fcl_sim import __version__, fcl
 from fcl_sim.block import Block
-from fcl_sim.cli.doors import Exit
+from fcl_sim.cli.doors import Exit, say
 from fcl_sim.cli.outputs import root
 from fcl_sim.cli.rule_bases import rule_bases
+from fcl_sim.cli.universes import Key as UseKey
+from fcl_sim.cli.universes import Use, uses_of
 from fcl_sim.diagnostics import Diagnostic, InputFault, Severity
 from fcl_sim.diagnostics.as_github import as_github
 from fcl_sim.diagnostics.as_json import as_json
 from fcl_sim.diagnostics.as_sarif import as_sarif
 from fcl_sim.diagnostics.render import render, summary
+from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.fcl.conformance_excess import excesses
 from fcl_sim.fcl.conformance_statement import Statement
@@ -30,7 +33,8 @@ from fcl_sim.proof.law import OutputLaw, law_of
 from fcl_sim.proof.prove import prove
 from fcl_sim.proof.slabs import Budget
 from fcl_sim.proof.told_law import law_json, law_lines
-from fcl_sim.proof.universe import Asked, Universe, UniverseError
+from fcl_sim.proof.universe import Asked, Universe, UniverseError, without_end
+from fcl_sim.proof.words import quoted
 from fcl_sim.scenario.bench import bench_of
 from fcl_sim.verify.visited import Key, Visits, joined, visits_of
 from fcl_sim.verify.waive import waive
@@ -64,6 +68,14 @@ FORMATS = ("text", "json", "sarif", "github")
     metavar="SUM=NUMBER",
     multiple=True,
     help="What inputs have in common: 'brown + light + dark = 1'; also <= and >=.",
+)
+@click.option(
+    "--scenario",
+    "scenarios",
+    metavar="SCENARIO.toml",
+    multiple=True,
+    type=click.Path(path_type=Path),
+    help="Inputs go as far as this scenario declares, or its blocks let them.",
 )
 @click.option(
     "--with",
@@ -101,6 +113,7 @@ def command(  # noqa: PLR0913  an option each
     targets: tuple[str, ...],
     stretches: tuple[str, ...],
     couplings: tuple[str, ...],
+    scenarios: tuple[Path, ...],
     reports: tuple[Path, ...],
     laws: bool,
     epsilon: float,
@@ -116,14 +129,14 @@ def command(  # noqa: PLR0913  an option each
     `fcl-sim explain CODE` tells more about a finding.
     """
     asked = Asked(stretches, couplings)
-    proof = _Proof(asked, epsilon, Budget(budget), visits_of(reports), laws=laws)
+    proof = _Proof(asked, uses_of(scenarios), epsilon, Budget(budget), visits_of(reports), laws=laws)
     statements = [target(each) for each in targets]
     files, faults = rule_bases(paths)
     findings = [*faults]
     for file in files:
         findings += _findings(file, statements, proof)
     try:
-        asked.all_used()
+        proof.all_used()
     except UniverseError as error:
         raise click.UsageError(str(error)) from None
     match form:
@@ -170,21 +183,48 @@ class _Proof:
     """How rule bases are proved, and the evidence of what was found, by the identity of its diagnostic."""
 
     def __init__(
-        self, asked: Asked, epsilon: float, budget: Budget, visits: Mapping[Key, Visits], *, laws: bool
+        self,
+        asked: Asked,
+        uses: Mapping[UseKey, Use],
+        epsilon: float,
+        budget: Budget,
+        visits: Mapping[Key, Visits],
+        *,
+        laws: bool,
     ) -> None:
         self._asked, self._epsilon, self._budget, self._visits = asked, epsilon, budget, visits
+        self._uses = dict(uses)
+        self._unused = set(uses)
         self._with_laws = laws
         self.evidence: dict[int, Finding] = {}
         self.laws: list[_Laws] = []
+
+    def all_used(self) -> None:
+        """Raise UniverseError for what was asked of inputs or rule bases that none of the files has."""
+        self._asked.all_used()
+        if self._uses and self._unused == set(self._uses):
+            files = listed(sorted({file.name for file, _ in self._uses}))
+            raise UniverseError(f"the scenarios use none of these rule bases: they use {files}")
+
+    def _universe(self, block: FunctionBlock, file: Path) -> Universe:
+        key = (file.resolve(), block.name.casefold())
+        use = self._uses.get(key, Use())
+        self._unused.discard(key)
+        try:
+            universe = self._asked.universe_of(block, use.stretches, use.units)
+        except UniverseError as error:
+            raise click.UsageError(str(error)) from None
+        free = [each for each in without_end(block, universe) if each.casefold() in use.ends]
+        if free:
+            names = f"{quoted(free)} of {block.name} {'go' if len(free) > 1 else 'goes'} anywhere"
+            say(f"{names} in its scenarios: bound them there by `ranges`, or here by --universe")
+        return universe
 
     def of(self, blocks: Sequence[FunctionBlock], file: Path) -> list[Diagnostic]:
         """Return what is to be said of the blocks of a file, and of the waivers of it."""
         findings: list[Finding] = []
         for block in blocks:
-            try:
-                universe = self._asked.universe_of(block)
-            except UniverseError as error:
-                raise click.UsageError(str(error)) from None
+            universe = self._universe(block, file)
             proved = prove(block, universe, self._epsilon, self._budget)
             findings += [joined(each, file, block.name, self._visits) for each in proved]
             if self._with_laws:

@@ -1,26 +1,26 @@
 """`fcl-sim eval`: one evaluation of a rule base."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict
+from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 
-from fcl_sim.block import ARITHMETICS, load
+from fcl_sim.block import ARITHMETICS, Block, load
 from fcl_sim.engine.explain import Explanation, Origin
 from fcl_sim.engine.explain_text import explanation_text
+from fcl_sim.proof.exact import exactly
+from fcl_sim.proof.rationals import NotExact
+from fcl_sim.proof.told_exact import REMARKS, exact_json, exact_lines
 from fcl_sim.units import short
 
 SCHEMA = 1
 
-REMARKS = {
-    Origin.RULES: "",
-    Origin.DEFAULT: "  (no rule is active: DEFAULT)",
-    Origin.PREVIOUS: "  (no rule is active: NC keeps the initial value)",
-}
+T = TypeVar("T")
 
 
 @click.command()
@@ -33,6 +33,12 @@ REMARKS = {
     default="LREAL",
     show_default=True,
     help="What it computes in: binary64, binary32, or the counts of Concept's FUZZY library.",
+)
+@click.option(
+    "--exact",
+    "in_fractions",
+    is_flag=True,
+    help="Compute in fractions: numbers are the decimals that are written, 1/3 is a third.",
 )
 @click.option("--explain", is_flag=True, help="Show every step of the inference.")
 @click.option("--json", "as_json", is_flag=True, help="Print one JSON document.")
@@ -48,6 +54,7 @@ def command(  # noqa: PLR0913  an option each
     assignments: tuple[str, ...],
     block: str | None,
     arithmetic: str,
+    in_fractions: bool,
     explain: bool,
     as_json: bool,
     figure: Path | None,
@@ -58,7 +65,12 @@ def command(  # noqa: PLR0913  an option each
     be left out.
     """
     loaded = load(file, block)
-    values = _values(assignments)
+    if in_fractions:
+        if arithmetic != "LREAL" or figure is not None:
+            raise click.UsageError("--exact goes without --arithmetic and --figure")
+        _exactly(loaded, _values(assignments, _fraction), explain=explain, as_json=as_json)
+        return
+    values = _values(assignments, float)
     try:
         results = loaded.evaluate(values, arithmetic=arithmetic)
     except OverflowError as error:
@@ -106,9 +118,34 @@ def _in_counts(
         click.echo(f"{output} = {value}")
 
 
-def _values(assignments: tuple[str, ...]) -> dict[str, float]:
+def _exactly(loaded: Block, values: dict[str, Fraction], *, explain: bool, as_json: bool) -> None:
+    """Print an evaluation in fractions."""
+    try:
+        found = exactly(loaded.function_block, values)
+    except TypeError as error:  # unknown or missing, as it says
+        raise click.UsageError(str(error)) from None
+    except NotExact as reason:
+        raise click.UsageError(f"{loaded.name} cannot be computed with --exact: {reason}") from None
+    if as_json:
+        click.echo(json.dumps(exact_json(found, loaded.name), indent=2, ensure_ascii=False))
+        return
+    for line in exact_lines(found, explain=explain):
+        click.echo(line)
+
+
+def _fraction(text: str) -> Fraction:
+    """Return a number as it is written; ValueError for one that is none, or beyond what LREAL holds."""
+    try:
+        found = Fraction(text)
+        float(found)
+    except (ZeroDivisionError, OverflowError):
+        raise ValueError from None
+    return found
+
+
+def _values(assignments: tuple[str, ...], read: Callable[[str], T]) -> dict[str, T]:
     """Return numbers by name; wrong usage where a text does not give one, or gives it again."""
-    values: dict[str, float] = {}
+    values: dict[str, T] = {}
     for text in assignments:
         name, equals, number = (part.strip() for part in text.partition("="))
         if not equals:
@@ -116,11 +153,16 @@ def _values(assignments: tuple[str, ...]) -> dict[str, float]:
         if name in values:
             raise click.UsageError(f"'{name}' is given twice")
         try:
-            values[name] = float(number)
+            values[name] = read(number)
         except ValueError:
-            hint = ": the decimal separator is a point" if "," in number else ""
-            raise click.UsageError(f"'{number}' for '{name}' is not a number{hint}") from None
+            raise click.UsageError(f"'{number}' for '{name}' is not a number{_hint(number, read)}") from None
     return values
+
+
+def _hint(number: str, read: Callable[[str], T]) -> str:
+    if "," in number:
+        return ": the decimal separator is a point"
+    return ": fractions are for --exact" if "/" in number and read is not _fraction else ""
 
 
 def _document(explanation: Explanation, values: dict[str, float], arithmetic: str) -> dict[str, Any]:

@@ -21,7 +21,7 @@ from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.cubes import leaves
 from fcl_sim.proof.enclosure import Boxes, Enclosure, Law, NotEnclosed, average
 from fcl_sim.proof.law import Extreme, cells_of
-from fcl_sim.proof.search import halved, largest
+from fcl_sim.proof.search import STEPS, halved, largest
 from fcl_sim.proof.space import axes_of
 from fcl_sim.proof.universe import Universe
 
@@ -29,6 +29,8 @@ Values = NDArray[np.float64]
 
 CLOSE = 1e-6
 """The part of an output's reach to which the largest difference is found."""
+COARSE, COARSE_STEPS = 1e-2, 16
+"""That part where only what matters is looked for, and the times that boxes are halved for it."""
 SHARE_STEPS = 12
 """Times that boxes are halved to tell a share."""
 MOST_BOXES = 20_000
@@ -70,11 +72,14 @@ class Apart:
         return self.largest is None or self.largest.bound > self.threshold
 
 
-def apart(old: Block, new: Block, universe: Universe, threshold: float | None = None) -> tuple[Apart, ...]:
+def apart(
+    old: Block, new: Block, universe: Universe, threshold: float | None = None, *, coarse: bool = False
+) -> tuple[Apart, ...]:
     """Return how far the outputs of two blocks are apart that both have.
 
     The inputs of `old` and `new` must have the same names. `threshold` is in the
-    unit of the outputs, else PART of each one's reach.
+    unit of the outputs, else PART of each one's reach. With `coarse` the largest
+    difference is found to COARSE of the reach, and shares are left open.
     """
     common = [
         each.variable
@@ -85,7 +90,7 @@ def apart(old: Block, new: Block, universe: Universe, threshold: float | None = 
     found = []
     for output in common:
         try:
-            found.append(_Comparer(old, new, output, universe).apart(threshold))
+            found.append(_Comparer(old, new, output, universe).apart(threshold, coarse=coarse))
         except NotEnclosed as reason:
             found.append(Apart(output=output, unknown=str(reason)))
     return tuple(found)
@@ -118,17 +123,18 @@ class _Comparer:
             return None
         return {term: places[1][term][0] - place for term, (place, _) in places[0].items()}
 
-    def apart(self, threshold: float | None) -> Apart:
+    def apart(self, threshold: float | None, *, coarse: bool) -> Apart:
         """Return how far they are apart."""
         spans = [self._law(side, _whole(self._cells)) for side in (0, 1)]
         reach = max(float(each.high[0] - each.low[0]) for each in spans) or 1.0
         limit = PART * reach if threshold is None else threshold
-        found = largest(self._cells, self._most, lambda points: self._value(points)[2], CLOSE * reach)
-        exact = found.gap <= 1.5 * CLOSE * reach
+        close, steps = (COARSE, COARSE_STEPS) if coarse else (CLOSE, STEPS)
+        found = largest(self._cells, self._most, lambda points: self._value(points)[2], close * reach, steps)
+        exact = not coarse and found.gap <= 1.5 * CLOSE * reach
         at = dict(zip(self._names, found.at.tolist(), strict=True))
         bound = found.reached if exact else found.bound
         before, after, _ = self._value(found.at[None, :])
-        least, most = self._share(limit)
+        least, most = (0.0, 1.0) if coarse else self._share(limit)
         return Apart(
             output=self._output,
             threshold=limit,

@@ -12,14 +12,16 @@ from fcl_sim.engine.switches import switched
 from fcl_sim.model import FunctionBlock
 from fcl_sim.proof.axes import Axis, Flags
 from fcl_sim.proof.boxes import boxes_of
-from fcl_sim.proof.coupled import are_apart, kept, possible, whole
+from fcl_sim.proof.coupled import are_apart, possible
 from fcl_sim.proof.cubes import Cube, firings, left_out
 from fcl_sim.proof.nearest import Missing, missing_at
-from fcl_sim.proof.points import Point, witness
+from fcl_sim.proof.points import Point
 from fcl_sim.proof.slabs import Budget, Slab, slabs
 from fcl_sim.proof.space import Side, Space, axes_of, condensed
 from fcl_sim.proof.strength import strong_axes
+from fcl_sim.proof.terms import barren
 from fcl_sim.proof.universe import Universe
+from fcl_sim.proof.witnesses import Witnesses
 
 EPSILON = 0.05
 """The part of the strongest degree from which on a term counts, where nothing is said."""
@@ -66,6 +68,10 @@ class Gap:
     share: Fraction | None
     witness: Point
     missing: Missing
+
+    def has_all_of(self, variable: str, side: Side) -> bool:
+        """Return whether one of the boxes has an interval of an input, whatever the others are."""
+        return any(each.sides.keys() == {variable} and each.sides[variable].has(side) for each in self.boxes)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -167,14 +173,11 @@ class _Prover:
 
     def point(self, sides: Mapping[str, Side]) -> Point | None:
         """Return a witness in a box that keeps to the couplings."""
-        point = witness(self._block, self._axes, sides)
-        room = {each.variable: sides.get(each.variable, whole(each)) for each in self._axes}
-        room |= {name: Side(value, value) for name, value in point.items() if name not in room}
-        return kept(point, room, self._universe.couplings)
+        return Witnesses(self._block, self._axes, self._universe).inside(sides)
 
-    def missing(self, output: str, point: Point, least: Fraction) -> Missing:
-        """Return what is missing at a witness."""
-        return missing_at(self._block, output, point, least)
+    def missing(self, output: str, point: Point, box: Box, least: Fraction) -> Missing:
+        """Return what is missing at a witness in a box."""
+        return missing_at(self._block, output, point, box.sides.keys(), least)
 
 
 class _Found:
@@ -226,7 +229,7 @@ class _Found:
             more=self._more,
             share=self._share,
             witness=self._point,
-            missing=self._prover.missing(self._output, self._point, self._least),
+            missing=self._prover.missing(self._output, self._point, self._boxes[0], self._least),
         )
 
 
@@ -236,10 +239,12 @@ def _covers(block: FunctionBlock, axes: Sequence[Axis], least: float = 0.0) -> d
     exact = all(each.exact for each in surely)
     possibly = surely if exact else firings(block, axes, certain=False, least=least)
     found: dict[str, _Covers] = {}
+    idle = barren(block)
     for one, other in zip(surely, possibly, strict=True):
         own = found.setdefault(one.conclusion.variable.casefold(), _Covers([], []))
-        own.surely.extend(one.cubes)
-        own.possibly.extend(other.cubes)
+        if (one.conclusion.variable.casefold(), (one.conclusion.term or "").casefold()) not in idle:
+            own.surely.extend(one.cubes)
+            own.possibly.extend(other.cubes)
     return found
 
 

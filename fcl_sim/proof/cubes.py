@@ -295,14 +295,26 @@ def _joined(cubes: Sequence[Cube]) -> Cubes:
     return (*({place: flags} for place, flags in single.items()), *others.values())
 
 
+WORD = 64
+"""Cubes that are looked at together, a bit of a word each."""
+
+
 def painted(shape: Sequence[int], cubes: Sequence[Cube]) -> Flags:
-    """Return the cells of a space of `shape` that are in any of the cubes."""
+    """Return the cells of a space of `shape` that are in any of the cubes.
+
+    A run of an axis has a bit for each cube that it is in; a cell is in those whose bit all its runs have.
+    """
     found = np.zeros(shape, np.bool_)
-    for each in cubes:
-        places = [
-            np.flatnonzero(each[axis]) if axis in each else np.arange(size) for axis, size in enumerate(shape)
-        ]
-        found[np.ix_(*places)] = True
+    for start in range(0, len(cubes), WORD):
+        some = cubes[start : start + WORD]
+        kind = np.min_scalar_type(2 ** len(some) - 1)
+        bits = (np.ones((), kind) << np.arange(len(some), dtype=kind)).astype(kind)
+        words = np.bitwise_or.reduce(bits)
+        for axis, size in enumerate(shape):
+            own = [each[axis] if axis in each else np.ones(size, np.bool_) for each in some]
+            runs = np.bitwise_or.reduce(np.where(np.array(own), bits[:, None], kind.type(0)), axis=0)
+            words = np.bitwise_and.outer(words, runs)
+        found |= words != 0
     return found
 
 

@@ -17,8 +17,9 @@ Json = dict[str, Any]
 class Finding:
     """What was found, with the evidence.
 
-    `rule` is the label of the rule that it is about, or empty. At `witness`, an
-    evaluation shows it. `share` is the part of the universe it takes, None where
+    `rule` is the label of the rule that it is about, or empty, `beside` that of the
+    one which it stands beside. At `witness`, an evaluation shows it; what is nowhere
+    has none. `share` is the part of the universe it takes, None where
     that has no measure; `boxes` say where.
     """
 
@@ -26,6 +27,7 @@ class Finding:
     certainty: Certainty = Certainty.EXACT
     variable: str = ""
     rule: str = ""
+    beside: str = ""
     witness: Point | None = None
     share: Fraction | None = None
     boxes: tuple[Box, ...] = field(default=())
@@ -55,14 +57,22 @@ def as_json(finding: Finding) -> Json:
         told["variable"] = finding.variable
     if finding.rule:
         told["rule"] = finding.rule
+    if finding.beside:
+        told["beside"] = finding.beside
     if finding.witness is not None:
         told["witness"] = {name: float(value) for name, value in finding.witness.items()}
+        told["witness_exact"] = {name: str(value) for name, value in finding.witness.items()}
     if finding.share is not None:
         told |= {"share": float(finding.share), "share_exact": str(finding.share)}
     if finding.boxes:
-        told["boxes"] = [{name: _side(side) for name, side in each.sides.items()} for each in finding.boxes]
+        told["boxes"] = boxes_json(finding.boxes)
         told["more_boxes"] = finding.more
     return told
+
+
+def boxes_json(boxes: Sequence[Box]) -> list[Json]:
+    """Return boxes as JSON's types: for each, intervals by input."""
+    return [{name: _side(side) for name, side in each.sides.items()} for each in boxes]
 
 
 def _side(side: Side) -> Mapping[str, float | bool | None]:

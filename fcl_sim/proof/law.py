@@ -9,7 +9,9 @@ is so everywhere.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from fractions import Fraction
 from itertools import pairwise, product
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +20,14 @@ from fcl_sim.block import Block
 from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.cubes import leaves
 from fcl_sim.proof.enclosure import Boxes, Enclosure, NotEnclosed
+from fcl_sim.proof.jumps import Jump, Jumps
+from fcl_sim.proof.saturation import Saturation, saturations
 from fcl_sim.proof.search import Search, largest
+from fcl_sim.proof.section import NotStraight, section
 from fcl_sim.proof.space import axes_of
+from fcl_sim.proof.symmetry import symmetry_of
 from fcl_sim.proof.universe import Universe
+from fcl_sim.units import exact
 
 Values = NDArray[np.float64]
 
@@ -75,19 +82,24 @@ class Gain:
 
 @dataclass(frozen=True, slots=True)
 class DeadZone:
-    """From where to where along an input an output is what it is at 0, the other inputs being 0."""
+    """From where to where along an input an output is what it is at 0, the other inputs being 0.
+
+    Unless it `is_exact`, its ends are of samples.
+    """
 
     variable: str
     low: float
     high: float
+    is_exact: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class OutputLaw:
     """What is known of an output; `unknown` says why nothing is, or is empty.
 
-    `at_zero` is what it is where all inputs are 0, `symmetry` is `odd`, `even`
-    or empty around there; that, and the dead zones, are of samples.
+    `jumps` are the highest that were found along the inputs along which no bound
+    of the slope is known. `at_zero` is what it is where all inputs are 0, `symmetry`
+    is `odd`, `even` or empty around there, of samples unless `is_symmetry_proved`.
     """
 
     output: str
@@ -96,7 +108,10 @@ class OutputLaw:
     gains: tuple[Gain, ...] = ()
     at_zero: float | None = None
     symmetry: str = ""
+    is_symmetry_proved: bool = False
     dead_zones: tuple[DeadZone, ...] = ()
+    jumps: tuple[Jump, ...] = ()
+    saturations: tuple[Saturation, ...] = ()
     unknown: str = ""
 
 
@@ -124,6 +139,7 @@ class _Explorer:
         self._block, self._output = block, output
         self._names = block.inputs
         self._enclosure = Enclosure(block.function_block, output)
+        self._coupled = bool(universe.couplings)
         self._axes = {each.variable: each for each in axes_of(block.function_block, universe)}
         self._cells = cells_of(self._names, self._axes)
         self._reach = self._cells.high.max(axis=0) - self._cells.low.min(axis=0)
@@ -134,10 +150,30 @@ class _Explorer:
         span = max(most.bound - least.bound, 1e-300)
         gains = tuple(self._gain(place, span) for place in self._used())
         zero = self._at_zero()
-        if zero is None:
-            return OutputLaw(self._output, least, most, gains)
-        zones = tuple(self._dead_zones(zero, FLAT * span))
-        return OutputLaw(self._output, least, most, gains, zero, self._symmetry(span), zones)
+        symmetry, is_proved = ("", False) if zero is None else self._symmetry(span)
+        return OutputLaw(
+            self._output,
+            least,
+            most,
+            gains,
+            at_zero=zero,
+            symmetry=symmetry,
+            is_symmetry_proved=is_proved,
+            dead_zones=() if zero is None else tuple(self._dead_zones(zero, FLAT * span)),
+            jumps=tuple(self._jumps(gains, span)),
+            saturations=() if self._coupled else self._saturations(),
+        )
+
+    def _jumps(self, gains: Sequence[Gain], span: float) -> Iterator[Jump]:
+        jumps = Jumps(self._block, self._output, self._cells, span)
+        for gain in gains:
+            if not isfinite(gain.steepest.bound):
+                found = jumps.along(self._names.index(gain.variable))
+                if found is not None:
+                    yield found
+
+    def _saturations(self) -> tuple[Saturation, ...]:
+        return saturations(self._block.function_block, tuple(self._axes.values()), self._output)
 
     def _used(self) -> list[int]:
         """Return the places of the inputs that rules on the output ask for."""
@@ -231,8 +267,12 @@ class _Explorer:
             return None
         return float(self.value(np.zeros((1, len(self._names))))[0])
 
-    def _symmetry(self, span: float) -> str:
-        """Return how samples at opposite inputs compare."""
+    def _symmetry(self, span: float) -> tuple[str, bool]:
+        """Return what the rules tell, else how samples at opposite inputs compare; whether it is proved."""
+        proved = symmetry_of(self._block.function_block, self._output)
+        return (proved, True) if proved else (self._sampled_symmetry(span), False)
+
+    def _sampled_symmetry(self, span: float) -> str:
         low, high = self._cells.low.min(axis=0), self._cells.high.max(axis=0)
         half = np.maximum(np.minimum(-low, high), 0.0)
         if not half.any():
@@ -245,16 +285,31 @@ class _Explorer:
 
     def _dead_zones(self, zero: float, tolerance: float) -> Iterator[DeadZone]:
         for place in self._used():
-            own = self._cells.low[:, place].min(), self._cells.high[:, place].max()
-            sides = []
-            for end in own:
-                points = np.zeros((SAMPLES, len(self._names)))
-                points[:, place] = np.linspace(0.0, end, SAMPLES)
-                apart = np.flatnonzero(np.abs(self.value(points) - zero) > tolerance)
-                last = (int(apart[0]) if apart.size else SAMPLES) - 1
-                sides.append(float(points[last, place]))
-            if sides[0] < sides[1]:
-                yield DeadZone(self._names[place], *sides)
+            own = float(self._cells.low[:, place].min()), float(self._cells.high[:, place].max())
+            found = self._exact_zone(place, own) or self._sampled_zone(place, own, zero, tolerance)
+            if found.low < found.high:
+                yield found
+
+    def _exact_zone(self, place: int, ends: tuple[float, float]) -> DeadZone | None:
+        """Return the zone along an input; None where the law bends along it."""
+        low, high = map(exact, ends)
+        name, zero = self._names[place], dict.fromkeys(self._names, Fraction(0))
+        try:
+            own = section(self._block.function_block, self._output, name, zero, (low, high))
+        except NotStraight:
+            return None
+        low, high = own.same_around(Fraction(0))
+        return DeadZone(name, float(low), float(high), is_exact=True)
+
+    def _sampled_zone(self, place: int, ends: tuple[float, float], zero: float, tolerance: float) -> DeadZone:
+        sides = []
+        for end in ends:
+            points = np.zeros((SAMPLES, len(self._names)))
+            points[:, place] = np.linspace(0.0, end, SAMPLES)
+            apart = np.flatnonzero(np.abs(self.value(points) - zero) > tolerance)
+            last = (int(apart[0]) if apart.size else SAMPLES) - 1
+            sides.append(float(points[last, place]))
+        return DeadZone(self._names[place], sides[0], sides[1])
 
 
 def whole_of(cells: Boxes) -> Boxes:

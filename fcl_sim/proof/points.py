@@ -7,6 +7,7 @@ from math import floor, log10
 
 import numpy as np
 
+from fcl_sim.engine.grid import Base
 from fcl_sim.engine.smooth import degrees_at
 from fcl_sim.model import Curve, FunctionBlock, Fuzzification, Points, Term
 from fcl_sim.proof.axes import Axis, is_constant
@@ -73,14 +74,15 @@ def degree(term: Term, x: Fraction) -> Fraction | None:
         return None
     match term.shape:
         case Points(points):
-            base = [(exact(float(each.x)), exact(each.degree)) for each in points]
-            return _on(base, x)
+            base = tuple((exact(float(each.x)), exact(each.degree)) for each in points)
+            return membership(base, x)
         case Curve() as curve:
             return Fraction(float(degrees_at(curve, np.array([float(x)]))[0]))
     return None
 
 
-def _on(base: Sequence[tuple[Fraction, Fraction]], x: Fraction) -> Fraction:
+def membership(base: Base, x: Fraction) -> Fraction:
+    """Return the degree of base points at `x`: the largest of those that lie there (S20, S21)."""
     here = [own for place, own in base if place == x]
     if here:
         return max(here)

@@ -5,6 +5,7 @@ from fcl_sim.proof.completeness import EPSILON, completeness
 from fcl_sim.proof.finding import Finding
 from fcl_sim.proof.slabs import Budget
 from fcl_sim.proof.space import axes_of
+from fcl_sim.proof.terms import stretches_without_terms
 from fcl_sim.proof.told_gaps import told_gaps
 from fcl_sim.proof.told_portability import told_portability
 from fcl_sim.proof.told_rules import told_rules
@@ -26,9 +27,12 @@ def prove(
     own = universe or Universe(stretches=declared(block))
     axes = axes_of(block, own)
     findings: list[Finding] = []
-    for each in completeness(block, own, epsilon, budget):
-        findings += told_gaps(block, each, own, epsilon)
-    findings += told_terms(block, axes, own)
+    proved = completeness(block, own, epsilon, budget)
+    bare = stretches_without_terms(block, axes)
+    for each in proved:
+        findings += told_gaps(block, each, own, epsilon, bare)
+    told = [each.gap for each in proved if each.gap is not None]
+    findings += told_terms(block, axes, own, told)
     findings += told_rules(block, axes, own)
     findings += told_portability(block, own)
     return tuple(findings)

@@ -88,6 +88,14 @@ def dead(block: FunctionBlock, axes: Sequence[Axis], conclusions: Sequence[Said]
     return tuple(found.values())
 
 
+def asks_in_vain(each: Said, terms: Collection[tuple[str, str]]) -> bool:
+    """Return whether every alternative of a rule asks for one of `terms`, by input and name in lower case."""
+    return bool(each.clauses) and all(
+        any((ask.variable, ask.term) in terms and not ask.hedges and not ask.negated for ask in clause)
+        for clause in each.clauses or ()
+    )
+
+
 def twice(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
     """Return conclusions that an earlier rule with the same condition has already."""
     return _once(Pair(later, first) for first, later in _alike(conclusions) if first.what == later.what)
@@ -124,57 +132,91 @@ def idle(conclusions: Sequence[Said], axes: Sequence[Axis]) -> tuple[Pair, ...]:
     That is so only where MAX accumulates; rules with the same condition are `twice`.
     """
     implied = _Implied(axes)
+    groups: dict[tuple[object, ...], list[Said]] = {}
+    for each in _comparable(conclusions):
+        if each.rule_block.accumulation is Accumulation.MAX:
+            groups.setdefault((each.output, each.what), []).append(each)
     found = []
-    for told, because in _pairs(_comparable(conclusions)):
+    for told, because in (pair for own in groups.values() for pair in _pairs(own)):
         if (
             told.place != because.place
-            and told.what == because.what
             and told.clauses != because.clauses
             and _weight(told) <= _weight(because)
-            and all(each.rule_block.accumulation is Accumulation.MAX for each in (told, because))
             and implied.rule(told, because)
         ):
             found.append(Pair(told, because))
-    return _once(found)
+    return tuple(sorted(_once(found), key=lambda each: each.told.place))
 
 
 def nested(conclusions: Sequence[Said]) -> tuple[Pair, ...]:
-    """Return conclusions of rules that ask for more than another one that concludes something else."""
+    """Return conclusions of rules that ask for more than another one that concludes something else.
+
+    Whatever OR is, it is not below any of its arguments: the other one may have several alternatives.
+    """
+    general: dict[str, dict[Clause, list[Said]]] = {}
+    for each in conclusions:
+        if _counts(each):
+            for clause in each.clauses or ():
+                general.setdefault(each.output, {}).setdefault(clause, []).append(each)
     found = []
-    for told, because in _pairs(_comparable(conclusions)):
-        if told.what != because.what and _asks_for_more(told.clauses or (), because.clauses or ()):
-            found.append(Pair(told, because))
+    for told in _comparable(conclusions):
+        known = general[told.output]
+        first = next(iter(told.clauses or (frozenset(),)))
+        others = {
+            (each.place, each.what): each
+            for part in (first, *_parts(first, [*known]))
+            for each in known.get(part, ())
+        }
+        found += [
+            Pair(told, others[key])
+            for key in sorted(others)
+            if told.what != others[key].what and _asks_for_more(told, others[key])
+        ]
     return tuple(found)
 
 
+def _parts(own: Clause, known: Sequence[Clause]) -> Iterator[Clause]:
+    """Yield those of the known clauses that are a part of the own: the shorter way is taken."""
+    if len(known) < 2 ** len(own):
+        yield from (each for each in known if each < own)
+    else:
+        for size in range(len(own)):
+            yield from map(frozenset, combinations(own, size))
+
+
 def _pairs(conclusions: Sequence[Said]) -> Iterator[tuple[Said, Said]]:
-    """Yield pairs of conclusions on one output of which the first may ask for more than the other."""
-    outputs: dict[str, list[Said]] = {}
-    for each in conclusions:
-        outputs.setdefault(each.output, []).append(each)
-    for own in outputs.values():
-        shortest = [min(map(len, each.clauses or ()), default=0) for each in own]
-        longest = [max(map(len, each.clauses or ()), default=0) for each in own]
-        for first, told in enumerate(own):
-            for other, because in enumerate(own):
-                if first != other and shortest[other] <= longest[first]:
-                    yield told, because
+    """Yield pairs of conclusions of which the first may ask for more than the other."""
+    shortest = [min(map(len, each.clauses or ()), default=0) for each in conclusions]
+    longest = [max(map(len, each.clauses or ()), default=0) for each in conclusions]
+    for first, told in enumerate(conclusions):
+        for other, because in enumerate(conclusions):
+            if first != other and shortest[other] <= longest[first]:
+                yield told, because
 
 
-def _asks_for_more(own: Collection[Clause], others: Collection[Clause]) -> bool:
-    """Return whether both have one alternative, and the first one's contains the other's."""
-    return len(own) == len(others) == 1 and next(iter(others)) < next(iter(own))
+def _asks_for_more(told: Said, because: Said) -> bool:
+    """Return whether each alternative of the first has one of the other's in it, under the same AND."""
+    own, others = told.clauses or (), because.clauses or ()
+    return (
+        told.rule_block.and_operator is because.rule_block.and_operator
+        and own != others
+        and all(any(other <= each for other in others) for each in own)
+    )
 
 
 def _comparable(conclusions: Sequence[Said]) -> list[Said]:
+    """Return the conclusions whose degree is the largest of those of their alternatives."""
     return [
         each
         for each in conclusions
-        if each.clauses is not None
-        and each.rule_block.and_operator in KEEPING
-        and (len(each.clauses) == 1 or each.rule_block.or_operator is OrOperator.MAX)
-        and each.conclusion.weight != 0.0
+        if _counts(each) and (len(each.clauses or ()) == 1 or each.rule_block.or_operator is OrOperator.MAX)
     ]
+
+
+def _counts(each: Said) -> bool:
+    return (
+        each.clauses is not None and each.rule_block.and_operator in KEEPING and each.conclusion.weight != 0.0
+    )
 
 
 def _weight(each: Said) -> float:

@@ -30,6 +30,20 @@ class Side:
         """Whether it has no width."""
         return self.low is not None and self.low == self.high
 
+    def has(self, other: "Side") -> bool:
+        """Return whether all of another interval is in this one."""
+        from_low = self.low is None or (
+            other.low is not None
+            and (self.low < other.low or (self.low == other.low and self.low_closed >= other.low_closed))
+        )
+        to_high = self.high is None or (
+            other.high is not None
+            and (
+                self.high > other.high or (self.high == other.high and self.high_closed >= other.high_closed)
+            )
+        )
+        return from_low and to_high
+
 
 @dataclass(frozen=True, slots=True)
 class Run:
@@ -94,25 +108,24 @@ class Space:
             return None
         if any(runs[0].to(runs[-1]).is_point for runs in self.runs):
             return Fraction(0)
+        if not cells.any():
+            return Fraction(0)
         parts: NDArray[Any] = cells
+        whole = 1
         for runs in reversed(self.runs):
             widths = [run.width or Fraction(0) for run in runs]
             scale = lcm(*(each.denominator for each in widths))
-            whole = int(sum(widths, Fraction(0)) * scale)
-            parts = _summed(parts, [int(each * scale) for each in widths], whole)
-        return Fraction(parts.item()) if self.runs else Fraction(int(cells.item()))
+            own = [int(each * scale) for each in widths]
+            whole *= sum(own)
+            parts = _summed(parts, own, whole)
+        return Fraction(int(parts.item()), whole)
 
 
-def _summed(rest: NDArray[Any], widths: Sequence[int], whole: int) -> NDArray[Any]:
-    """Return the weighted sums along the last axis as parts of the whole, in int64 where that suffices."""
+def _summed(rest: NDArray[Any], widths: Sequence[int], most: int) -> NDArray[Any]:
+    """Return the weighted sums along the last axis, `most` at most: in int64 where that suffices."""
     wide = np.flatnonzero(np.array(widths, object)).tolist()
-    own = [widths[each] for each in wide]
-    if rest.dtype == np.bool_ and whole < 2**62:
-        sums = np.asarray(rest[..., wide].astype(np.int64) @ np.array(own, np.int64))
-    else:
-        sums = np.asarray(rest[..., wide] @ np.array(own, object))
-    counted = sums.astype(object)
-    return np.asarray(counted * Fraction(1, whole), object)
+    kind: type[Any] = np.int64 if most < 2**62 else object
+    return np.asarray(rest[..., wide].astype(kind) @ np.array([widths[each] for each in wide], kind))
 
 
 def axes_of(

@@ -1,11 +1,13 @@
 """What is to be said about variables and terms: unused, out of reach, gaps between, sums that miss 1."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from fractions import Fraction
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
+from math import inf
 
+from fcl_sim.engine.smooth import turns
 from fcl_sim.model import (
     Curve,
+    CurveKind,
     Defuzzification,
     Formula,
     FunctionBlock,
@@ -19,23 +21,18 @@ from fcl_sim.model import (
     Variable,
 )
 from fcl_sim.model.expressions import Call, Expression, Reference
-from fcl_sim.proof.axes import ZERO, Axis, Cell, is_straight
+from fcl_sim.proof.axes import ZERO, Axis, Cell, is_constant, is_straight
 from fcl_sim.proof.clauses import asks_of
 from fcl_sim.proof.space import Side, brought
 from fcl_sim.proof.universe import Universe
 
-NEARLY = Fraction(1, 10)
-"""How far a sum of degrees may be from 1 to be taken for a slip."""
-ROUNDED = Fraction(1, 10**9)
-"""How far it may be by rounding."""
-
-
-@dataclass(frozen=True, slots=True)
-class OffOne:
-    """Where the sum of an input's degrees is farthest from 1, and what it is there."""
-
-    at: Fraction
-    total: Fraction
+ENDS = {
+    CurveKind.COSINE: (True, True),
+    CurveKind.PI_SHAPE: (True, True),
+    CurveKind.Z_SHAPE: (False, True),
+    CurveKind.S_SHAPE: (True, False),
+}
+"""Curves that end, and whether they do so at their first and at their last turn."""
 
 
 def unasked(block: FunctionBlock, fuzzification: Fuzzification) -> tuple[Term, ...]:
@@ -109,6 +106,19 @@ def beyond(axis: Axis, fuzzification: Fuzzification, universe: Universe) -> tupl
     )
 
 
+def out_of_reach(
+    block: FunctionBlock, axes: Sequence[Axis], universe: Universe
+) -> frozenset[tuple[str, str]]:
+    """Return the terms that are 0 wherever their input goes, as input and name, both in lower case."""
+    own = {each.variable.casefold(): each for each in axes}
+    return frozenset(
+        (name, term.name.casefold())
+        for each in block.fuzzifications
+        if (name := each.variable.casefold()) in own and each.enabled
+        for term in beyond(own[name], each, universe)
+    )
+
+
 def beyond_range(output: Defuzzification) -> tuple[Term, ...]:
     """Return the terms of an output of which nothing lies within its RANGE."""
     if output.range is None:
@@ -117,9 +127,38 @@ def beyond_range(output: Defuzzification) -> tuple[Term, ...]:
     found = []
     for each in output.terms:
         places = _reach(each)
-        if places and (max(places) < low or min(places) > high):
+        if places and (max(places) < low or min(places) > high or _has_no_area(each, output.range)):
             found.append(each)
     return tuple(found)
+
+
+def barren(block: FunctionBlock) -> frozenset[tuple[str, str]]:
+    """Return the terms of outputs that have no area within RANGE, by output and name in lower case (S31)."""
+    return frozenset(
+        (output.variable.casefold(), each.name.casefold())
+        for output in block.defuzzifications
+        for each in output.terms
+        if _has_no_area(each, output.range)
+    )
+
+
+def _has_no_area(term: Term, limits: tuple[float, float] | None) -> bool:
+    """Return whether a constant term is 0 within limits, but for single points."""
+    low, high = limits or (-inf, inf)
+    match term.shape:
+        case Points(points) if is_straight(term):
+            places = [-inf, *(float(each.x) for each in points), inf]
+            degrees = [points[0].degree, *(each.degree for each in points), points[-1].degree]
+            pieces = zip(pairwise(places), pairwise(degrees), strict=True)
+            return not any(
+                max(one, low) < min(other, high) and max(tops) > 0.0 for (one, other), tops in pieces
+            )
+        case Curve(kind) as curve if kind in ENDS and is_constant(term):
+            below, above = ENDS[kind]
+            first = min(turns(curve)) if below else -inf
+            last = max(turns(curve)) if above else inf
+            return max(first, low) >= min(last, high)
+    return False
 
 
 def _reach(term: Term) -> list[float]:
@@ -157,16 +196,13 @@ def gaps_between(axis: Axis, fuzzification: Fuzzification) -> tuple[Side, ...]:
     return tuple(Side(each[0].low, each[-1].high, each[0].is_point, each[-1].is_point) for each in found)
 
 
-def off_one(axis: Axis, fuzzification: Fuzzification) -> OffOne | None:
-    """Return where the sum of all degrees misses 1, if it is nearly 1 at all of the terms' points."""
-    if len(fuzzification.terms) < 2 or not all(map(is_straight, fuzzification.terms)):
-        return None
-    sums = []
-    for place, cell in enumerate(axis.cells):
-        if cell.is_point and cell.low is not None:
-            total = sum((each[place] for each in axis.highs.values()), ZERO)
-            sums.append(OffOne(cell.low, total))
-    worst = max(sums, key=lambda each: abs(each.total - 1), default=None)
-    if worst is None or not ROUNDED < abs(worst.total - 1) <= NEARLY:
-        return None
-    return worst
+def stretches_without_terms(block: FunctionBlock, axes: Sequence[Axis]) -> Mapping[str, tuple[Side, ...]]:
+    """Return the gaps between the terms of each input that has some, by its declared name."""
+    own = {each.variable.casefold(): each for each in axes}
+    found = {}
+    for each in block.fuzzifications:
+        axis = own.get(each.variable.casefold())
+        gaps = gaps_between(axis, each) if axis is not None and each.enabled else ()
+        if axis is not None and gaps:
+            found[axis.variable] = gaps
+    return found

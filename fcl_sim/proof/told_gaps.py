@@ -1,16 +1,16 @@
 """Completeness → findings: where an output is undefined, hardly defined, or was not looked at."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from math import isnan
-from shlex import quote
 
-from fcl_sim.diagnostics import Severity
+from fcl_sim.diagnostics import Severity, Span
 from fcl_sim.model import Defuzzification, FunctionBlock
 from fcl_sim.proof.completeness import Certainty, Completeness, Gap
 from fcl_sim.proof.finding import Finding, found
 from fcl_sim.proof.nearest import Missing
+from fcl_sim.proof.space import Side
 from fcl_sim.proof.universe import Universe
-from fcl_sim.proof.words import assignments, box, percent, quoted
+from fcl_sim.proof.words import box, command, over, percent, quoted, rules_named
 from fcl_sim.units import short
 
 SHOWN = 3
@@ -18,20 +18,31 @@ SHOWN = 3
 
 
 def told_gaps(
-    block: FunctionBlock, proved: Completeness, universe: Universe, epsilon: float
+    block: FunctionBlock,
+    proved: Completeness,
+    universe: Universe,
+    epsilon: float,
+    bare: Mapping[str, Sequence[Side]],
 ) -> Iterator[Finding]:
-    """Yield the findings on one output."""
-    output = next(each for each in block.defuzzifications if each.variable == proved.output)
+    """Yield the findings on one output; `bare` are the stretches of inputs without a term, by name."""
+    output = _output(block, proved)
     name = proved.output
     if proved.gap is not None:
         message = f"`{name}` is undefined ({_instead(output)}){_where(proved, proved.gap, universe)}"
-        yield _gap("FCL601", message, output, proved, proved.gap)
+        causes = list(_causes(block, proved.gap, universe, bare))
+        yield _gap(block, proved, proved.gap, message, causes)
     if proved.weak is not None:
-        few = f"every rule there has a term below {percent_of(epsilon)} of the strongest one"
+        few = (
+            f"by tails alone: every rule asks for a term below {percent_of(epsilon)} of its input's strongest"
+        )
         message = f"`{name}` is hardly defined ({few}){_where(proved, proved.weak, universe)}"
-        yield _gap("FCL602", message, output, proved, proved.weak)
+        yield _gap(block, proved, proved.weak, message)
     if not proved.whole or (proved.certainty is Certainty.BOUNDED and proved.doubt != 0):
         yield _open(output, proved)
+
+
+def _output(block: FunctionBlock, proved: Completeness) -> Defuzzification:
+    return next(each for each in block.defuzzifications if each.variable == proved.output)
 
 
 def percent_of(epsilon: float) -> str:
@@ -39,14 +50,44 @@ def percent_of(epsilon: float) -> str:
     return f"{short(float(f'{100 * epsilon:.4g}'))} %"
 
 
-def _gap(code: str, message: str, output: Defuzzification, proved: Completeness, gap: Gap) -> Finding:
-    file = output.span.source.name if output.span else "FILE"
-    point = assignments(gap.witness)
+def _causes(
+    block: FunctionBlock, gap: Gap, universe: Universe, bare: Mapping[str, Sequence[Side]]
+) -> Iterator[tuple[Span | None, str]]:
+    """Yield the inputs without a term over a stretch that the gap has all of, with what to say there."""
+    for name, sides in bare.items():
+        own = [over(each, universe.unit(name)) for each in sides if gap.has_all_of(name, each)]
+        if own:
+            (span,) = [
+                each.span for each in block.fuzzifications if each.variable.casefold() == name.casefold()
+            ]
+            yield span, f"no term is above 0 {' and '.join(own)}"
+
+
+def _coupled(block: FunctionBlock, gap: Gap) -> str:
+    """Return what is to be said where several degrees from outside would have to be 0 together."""
+    terms = {each.variable.casefold() for each in block.fuzzifications}
+    sides = gap.boxes[0].sides
+    degrees = [name for name, side in sides.items() if side.is_point and name.casefold() not in terms]
+    if len(degrees) < 2 or len(degrees) < len(sides):
+        return ""
+    return f"; or say that it cannot be, by --assume '{' + '.join(degrees)} = 1'"
+
+
+def _gap(
+    block: FunctionBlock,
+    proved: Completeness,
+    gap: Gap,
+    message: str,
+    causes: Sequence[tuple[Span | None, str]] = (),
+) -> Finding:
+    span = _output(block, proved).span
+    shown = command(span, gap.witness, thin=gap.boxes[0].is_thin)
     return found(
-        code,
+        "FCL601" if gap is proved.gap else "FCL602",
         message,
-        [output.span],
-        f"{_missing(gap.missing)}; see `fcl-sim eval {quote(file)} {point}`",
+        [span],
+        f"{_missing(gap.missing)}{_coupled(block, gap)}; see `{shown}`",
+        others=causes,
         certainty=proved.certainty,
         variable=proved.output,
         witness=gap.witness,
@@ -64,6 +105,8 @@ def _where(proved: Completeness, gap: Gap, universe: Universe) -> str:
         more = "at least " if gap.more else ""
         told.append(f"and {more}{rest} more box{'' if rest == 1 else 'es'}")
     where = "; ".join(told)
+    if not gap.boxes[0].sides:
+        return " everywhere"
     if gap.share is None:
         return f" for {where}"
     if not gap.share:
@@ -82,14 +125,18 @@ def _instead(output: Defuzzification) -> str:
 
 
 def _missing(missing: Missing) -> str:
+    if missing.off:
+        return f"its rules stand in {quoted(missing.off)}, which is switched off"
     if missing.without:
-        return f"no term of {quoted(missing.without)} holds at this point"
+        return f"no term of {quoted(missing.without)} is above 0 there: let one reach it"
+    if missing.silent:
+        fires = "fires" if len(missing.silent) == 1 else "fire"
+        return f"{rules_named(missing.silent)} {fires} there, to no effect"
     near = [f"rule {each.label} lacks `{' AND '.join(each.lacking)}`" for each in missing.rules]
     nearest = f"nearest to firing: {', '.join(near)}" if near else ""
-    if not missing.terms:
+    if not missing.asks:
         return nearest or "no rule concludes on it"
-    terms = " AND ".join(f"{variable} IS {term}" for variable, term in missing.terms)
-    return f"a rule for `{terms}` would help" + (f"; {nearest}" if nearest else "")
+    return f"a rule for `{' AND '.join(missing.asks)}` would help" + (f"; {nearest}" if nearest else "")
 
 
 def _open(output: Defuzzification, proved: Completeness) -> Finding:

@@ -11,31 +11,64 @@ from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.clauses import Ask
 from fcl_sim.proof.coupled import whole
 from fcl_sim.proof.finding import Finding, found
-from fcl_sim.proof.rules import Pair, Said, contradictory, dead, idle, nested, said, twice, without_weight
+from fcl_sim.proof.rules import (
+    Pair,
+    Said,
+    asks_in_vain,
+    contradictory,
+    dead,
+    idle,
+    nested,
+    said,
+    twice,
+    without_weight,
+)
+from fcl_sim.proof.terms import out_of_reach
 from fcl_sim.proof.universe import Universe
-from fcl_sim.proof.words import interval
+from fcl_sim.proof.witnesses import Witnesses
+from fcl_sim.proof.words import interval, rules_named
 
 
 def told_rules(block: FunctionBlock, axes: Sequence[Axis], universe: Universe) -> Iterator[Finding]:
-    """Yield the findings on rules of the block; one that never fires is told of that alone."""
+    """Yield the findings on rules of the block; one that never fires is told of that alone.
+
+    One that never fires because it asks for a term out of reach is told with that term.
+    """
+    points = Witnesses(block, axes, universe)
     every = said(block)
     never = dead(block, axes, every)
+    far = out_of_reach(block, axes, universe)
     for each in never:
-        yield _dead(each, axes, universe)
-    for each in without_weight(every):
-        message = f"rule {each.label} concludes nothing on `{each.conclusion.variable}`: its weight is 0"
-        yield found(
-            "FCL613", message, [each.conclusion.span], "give it a weight, or remove it", rule=each.label
-        )
+        if not asks_in_vain(each, far):
+            yield _dead(each, axes, universe)
     gone = {each.place for each in never}
     alive = [each for each in every if each.place not in gone]
+    for each in without_weight(alive):
+        message = f"rule {each.label} concludes nothing on `{each.conclusion.variable}`: its weight is 0"
+        yield found(
+            "FCL613",
+            message,
+            [each.conclusion.span],
+            "give it a weight, or remove it",
+            rule=each.label,
+            witness=points.rule(each.place),
+        )
     for pair in twice(alive):
-        yield _twice(pair)
+        yield _twice(pair, points)
     for pair in contradictory(alive):
-        yield _contradictory(pair)
-    for pair in idle(alive, axes):
-        yield _idle(pair)
-    yield from _nested(nested(alive))
+        yield _contradictory(pair, points)
+    for group in _by_reason(idle(alive, axes)):
+        yield _idle(group, points)
+    for group in _by_reason(nested(alive)):
+        yield _nested(group, points)
+
+
+def _by_reason(pairs: Sequence[Pair]) -> Iterator[Sequence[Pair]]:
+    """Yield the pairs that have the same reason together: that is one thing to tell."""
+    groups: dict[tuple[int, str], list[Pair]] = {}
+    for each in pairs:
+        groups.setdefault((each.because.place, each.because.output), []).append(each)
+    yield from groups.values()
 
 
 def _dead(each: Said, axes: Sequence[Axis], universe: Universe) -> Finding:
@@ -72,7 +105,7 @@ def _impossible(axis: Axis, asks: Sequence[Ask], universe: Universe) -> str:
     return f"`{axis.variable}` goes {reach}, where it is never {names[0]}"
 
 
-def _twice(pair: Pair) -> Finding:
+def _twice(pair: Pair, points: Witnesses) -> Finding:
     told, because = pair.told, pair.because
     return found(
         "FCL604",
@@ -81,53 +114,61 @@ def _twice(pair: Pair) -> Finding:
         "remove one of them; one of them may be meant for other terms",
         others=[(because.conclusion.span, "said here")],
         rule=told.label,
+        beside=because.label,
+        witness=points.rule(told.place),
     )
 
 
-def _contradictory(pair: Pair) -> Finding:
+def _contradictory(pair: Pair, points: Witnesses) -> Finding:
     told, because = pair.told, pair.because
     other = conclusion(because.conclusion)
     return found(
         "FCL605",
         f"rule {told.label} contradicts rule {because.label}: `{other}` follows from the same condition",
         [told.conclusion.span],
-        "both count, and the output lies between them: remove the wrong one",
+        "both count, and the output lies between them: correct the condition or the conclusion of one",
         others=[(because.conclusion.span, "the same condition")],
         rule=told.label,
+        beside=because.label,
+        witness=points.rule(told.place),
     )
 
 
-def _idle(pair: Pair) -> Finding:
-    told, because = pair.told, pair.because
+def _idle(pairs: Sequence[Pair], points: Witnesses) -> Finding:
+    """Return one finding for all that one rule makes idle."""
+    because = pairs[0].because
+    labels = _labels(pairs)
+    alone = len(labels) == 1
     return found(
         "FCL606",
-        f"rule {told.label} has no effect on `{told.conclusion.variable}`: "
+        f"{rules_named(labels)} {'has' if alone else 'have'} no effect on `{because.conclusion.variable}`: "
         f"rule {because.label} concludes the same, never with a smaller degree",
-        [told.conclusion.span],
-        "remove it, or make its conclusion the one that was meant",
+        [each.told.conclusion.span for each in pairs],
+        f"remove {'it' if alone else 'them'}, or conclude what was meant",
         others=[(because.conclusion.span, "this counts instead")],
-        rule=told.label,
+        rule=labels[0] if alone else because.label,
+        beside=because.label if alone else labels[0],
+        witness=points.rule(pairs[0].told.place),
     )
 
 
-def _nested(pairs: Sequence[Pair]) -> Iterator[Finding]:
-    """Yield one finding for each general rule, with all that it stands beside."""
-    groups: dict[tuple[int, str], list[Pair]] = {}
-    for each in pairs:
-        groups.setdefault((each.because.place, each.because.output), []).append(each)
-    for group in groups.values():
-        because = group[0].because
-        labels = list(dict.fromkeys(each.told.label for each in group))
-        few = ", ".join(labels[:3]) + (f" and {len(labels) - 3} more" if len(labels) > 3 else "")
-        plural = "s" if len(labels) > 1 else ""
-        verb = "" if plural else "s"
-        yield found(
-            "FCL607",
-            f"rule {because.label} counts as much wherever rule{plural} {few} fire{verb}, "
-            f"with another conclusion on `{because.conclusion.variable}`",
-            [because.conclusion.span],
-            "an exception does not switch the general rule off: ask that for the remaining terms alone",
-            Severity.NOTE,
-            others=[(each.told.conclusion.span, "asks for more") for each in group[:2]],
-            rule=because.label,
-        )
+def _labels(pairs: Sequence[Pair]) -> list[str]:
+    return list(dict.fromkeys(each.told.label for each in pairs))
+
+
+def _nested(pairs: Sequence[Pair], points: Witnesses) -> Finding:
+    """Return one finding for a general rule, with all that it stands beside."""
+    because = pairs[0].because
+    labels = _labels(pairs)
+    return found(
+        "FCL607",
+        f"rule {because.label} counts, too, wherever {rules_named(labels)} "
+        f"fire{'s' if len(labels) == 1 else ''}, with another conclusion on `{because.conclusion.variable}`",
+        [because.conclusion.span],
+        "an exception does not switch the general rule off: let that ask for the other cases alone",
+        Severity.NOTE,
+        others=[(each.told.conclusion.span, "asks for more") for each in pairs[:2]],
+        rule=because.label,
+        beside=labels[0],
+        witness=points.rule(pairs[0].told.place),
+    )

@@ -74,6 +74,13 @@ def declared(block: FunctionBlock) -> dict[str, Stretch]:
     }
 
 
+def without_end(block: FunctionBlock, universe: Universe) -> tuple[str, ...]:
+    """Return the inputs with terms that go anywhere."""
+    fuzzified = {each.variable.casefold() for each in block.fuzzifications if each.terms}
+    names = [each.name for each in block.inputs if each.name.casefold() in fuzzified]
+    return tuple(each for each in names if universe.of(each) is None)
+
+
 class Asked:
     """Texts that say the universe of one or several rule bases.
 
@@ -86,14 +93,19 @@ class Asked:
         self._used: set[str] = set()
         self._unknown: dict[str, UniverseError] = {}
 
-    def universe_of(self, block: FunctionBlock) -> Universe:
-        """Return the universe of a rule base: its own RANGEs, and before those what the texts say.
+    def universe_of(
+        self,
+        block: FunctionBlock,
+        given: Mapping[str, Stretch] | None = None,
+        units_given: Mapping[str, str] | None = None,
+    ) -> Universe:
+        """Return the universe of a rule base: its own RANGEs, what is `given`, and the texts over both.
 
-        A text about an input that this block does not have is left out. Raises
-        UniverseError for a text that says nothing.
+        What is given, and its units, are by name in lower case. A text about an
+        input that this block does not have is left out. Raises UniverseError for a text that says nothing.
         """
-        known = declared(block)
-        units: dict[str, str] = {}
+        known = declared(block) | dict(given or {})
+        units = dict(units_given or {})
         for text in self._stretches:
             told = self._told(stretch_of, text, block)
             if told is not None:

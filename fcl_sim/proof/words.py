@@ -2,13 +2,17 @@
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from shlex import quote
 
+from fcl_sim.diagnostics import Span
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.proof.space import Side
 from fcl_sim.proof.universe import Universe
 from fcl_sim.units import short
 
 DIGITS = 6
+MANY = 4
+"""Rules that are named; of more, some are counted."""
 
 
 def number(value: Fraction) -> str:
@@ -16,10 +20,27 @@ def number(value: Fraction) -> str:
     return short(float(f"{float(value):.{DIGITS}g}") + 0.0)
 
 
+def in_full(value: Fraction) -> str:
+    """Return a number without rounding: as a decimal, else as a fraction with what it is about."""
+    decimal = as_decimal(value)
+    return decimal or f"{value} ({float(value):.{DIGITS}g})"
+
+
+def as_decimal(value: Fraction) -> str:
+    """Return a number as a decimal that is exact; empty where none of few digits is."""
+    text = short(float(value) + 0.0)
+    return text if Fraction(text) == value else ""
+
+
 def interval(side: Side, unit: str = "") -> str:
     """Return an interval as it stands behind a variable: `from 5 to 10 m`, `below 0 m`."""
     told = _between(side) if side.low is not None and side.high is not None else _without_end(side)
     return told.format(unit=f" {unit}" if unit else "")
+
+
+def over(side: Side, unit: str = "") -> str:
+    """Return an interval as it stands behind a statement: `from 5 to 10 m`, `at 5 m`."""
+    return interval(side, unit).replace("= ", "at ", 1) if side.is_point else interval(side, unit)
 
 
 def _without_end(side: Side) -> str:
@@ -63,6 +84,30 @@ def assignments(point: Mapping[str, Fraction]) -> str:
     return " ".join(f"{name}={short(float(value))}" for name, value in point.items())
 
 
+def in_fractions(point: Mapping[str, Fraction]) -> str:
+    """Return a point as `fcl-sim eval --exact` takes it."""
+    return " ".join(f"{name}={as_decimal(value) or value}" for name, value in point.items())
+
+
+def command(
+    span: Span | None, point: Mapping[str, Fraction], *, thin: bool = False, explain: bool = False
+) -> str:
+    """Return the command that shows a point; where that is of no width, `thin`, the exact one."""
+    file = quote(span.source.name if span else "FILE")
+    more = " --explain" if explain else ""
+    if thin or not all(map(as_decimal, point.values())):
+        return f"fcl-sim eval {file} --exact{more} {in_fractions(point)}"
+    return f"fcl-sim eval {file}{more} {assignments(point)}"
+
+
 def quoted(names: Sequence[str]) -> str:
     """Return names, each in backquotes."""
     return listed([f"`{each}`" for each in names]).replace(" or ", " and ")
+
+
+def rules_named(labels: Sequence[str]) -> str:
+    """Return rules by their labels, in the singular or plural: `rules 1, 2, 3 and 5 others`."""
+    if len(labels) == 1:
+        return f"rule {labels[0]}"
+    few = [*labels] if len(labels) <= MANY else [*labels[: MANY - 1], f"{len(labels) - MANY + 1} others"]
+    return f"rules {listed_and(few)}"

@@ -112,13 +112,21 @@ def _evaluation() -> Schema:
         "One evaluation of a rule base: `fcl-sim eval --json`",
         schema=VERSION,
         block=text("name of the FUNCTION_BLOCK"),
-        arithmetic={"enum": ["LREAL", "REAL", "INT"], "description": "what it computed in"},
+        arithmetic={
+            "enum": ["LREAL", "REAL", "INT", "fractions"],
+            "description": "what it computed in; `fractions` with --exact",
+        },
         inputs=by_name("the inputs that were given", number("")),
         outputs=by_name("the outputs", figure("")),
     )
     made["properties"] |= {
         "active": by_name("whether a rule was active, by output; not in INT", {"type": "boolean"}),
         "degrees": by_name("degree of each rule, by label; not in INT", number("")),
+        "exact": {
+            "type": "object",
+            "description": "with --exact: inputs, outputs and degrees as texts such as 36/5, "
+            "and what had to be `rounded`",
+        },
         "explanation": {
             "type": "object",
             "description": "every step of the inference, with --explain: fuzzified, aggregated, ...",

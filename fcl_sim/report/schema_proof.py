@@ -15,6 +15,8 @@ from fcl_sim.report.schema_parts import (
     text,
 )
 
+SURE = ["exact", "sampled"]
+
 
 def documents() -> Schema:
     """Return the whole documents by name."""
@@ -71,6 +73,8 @@ def definitions() -> Schema:
         "slope": _slope(),
         "extreme": _extreme(),
         "dead_zone": _dead_zone(),
+        "jump": _jump(),
+        "saturation": _saturation(),
     }
 
 
@@ -78,7 +82,9 @@ def _proof() -> Schema:
     optional = {
         "variable": text("the input or output that it is about"),
         "rule": text("label of the rule that it is about"),
+        "beside": text("label of the rule that it stands beside"),
         "witness": by_name("inputs at which an evaluation shows it", number("")),
+        "witness_exact": by_name("the same as fractions, for `fcl-sim eval --exact`", text("")),
         "share": number("the part of the universe that it takes"),
         "share_exact": text("the same as a fraction, as in 179/288"),
         "boxes": {
@@ -123,8 +129,11 @@ def _output_law() -> Schema:
         most=or_null(referring("extreme", "its largest value")),
         gains=list_of("along each input that its rules ask for", "slope"),
         at_zero=figure("what it is where all inputs are 0; null where they cannot be"),
-        symmetry={"enum": ["odd", "even", ""], "description": "around there, by samples"},
-        dead_zones=list_of("where it stays the same around there, by samples", "dead_zone"),
+        symmetry={"enum": ["odd", "even", ""], "description": "around there"},
+        symmetry_proved={"type": "boolean", "description": "whether the rules show that; else samples do"},
+        dead_zones=list_of("where it stays the same around there", "dead_zone"),
+        jumps=list_of("the highest jump that was found along each input whose slope has no bound", "jump"),
+        saturations=list_of("where it stays at an end of its reach", "saturation"),
     )
 
 
@@ -157,4 +166,35 @@ def _dead_zone() -> Schema:
         variable=text("the input along which"),
         low=number("from where"),
         high=number("to where"),
+        certainty={"enum": SURE, "description": "`exact`, or of samples along the input"},
+    )
+
+
+def _jump() -> Schema:
+    return table(
+        "An output jumps along an input",
+        variable=text("the input that rises through the jump"),
+        before=figure("the output just before"),
+        behind=figure("the output just behind"),
+        without={"enum": ["before", "behind", ""], "description": "on which side no rule is active"},
+        certainty={
+            "enum": SURE,
+            "description": "`exact`, or found by halving; others may be higher",
+        },
+        witness=by_name("inputs at the jump", number("")),
+    )
+
+
+def _saturation() -> Schema:
+    return table(
+        "Where an output stays at an end of its reach",
+        value=number("what it is there"),
+        share=figure("the part of the universe; null where that has no end"),
+        share_exact=or_null(text("the same as a fraction")),
+        boxes={
+            "type": "array",
+            "description": "where, by input; one left out has any value",
+            "items": by_name("a box", reference("interval")),
+        },
+        more_boxes={"type": "boolean", "description": "whether there are more boxes than are listed"},
     )

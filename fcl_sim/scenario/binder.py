@@ -18,6 +18,7 @@ from fcl_sim.scenario.blocks import plain_node
 from fcl_sim.scenario.linear import LINEAR_MODELS, is_linear, linear_node, misplaced
 from fcl_sim.scenario.model import BASE, CONTROLLER, Axis, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
+from fcl_sim.scenario.ranges import ranges_of
 from fcl_sim.scenario.requirements import NOMINAL_RUN, Units, requirements_for
 from fcl_sim.scenario.shape import is_fuzzy
 from fcl_sim.toml.tree import NOTHING, Entry, finding
@@ -201,6 +202,7 @@ def _fuzzy_node(name: str, block: Entry, loaded: Block, scope: Scope | None, fau
     units = block.get("units")
     declared = {key: str(entry.value) for key, entry in (units.table if units else NOTHING).items()}
     node = FuzzyNode(name=name, block=loaded, inputs=wires, units=declared, span=block.key)
+    ranges_of(node, block, faults)  # for its faults: a run does not need them
     return in_arithmetic(node, block, faults)
 
 

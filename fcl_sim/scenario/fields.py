@@ -163,6 +163,13 @@ def _scaled(value: Any) -> Any:
     return [_quantity(each) for each in value]
 
 
+def _ranged(value: Any) -> Any:
+    if not isinstance(value, list) or len(value) != 2:
+        hint = 'write it as in ["-10 m", "30 m"]'
+        raise refused("SCN203", "{it} is from where to where a variable goes: two quantities", hint)
+    return [_quantity(each) for each in value]
+
+
 def _quantity_or_list(value: Any) -> Any:
     return value if isinstance(value, list) else _quantity(value)
 
@@ -258,6 +265,18 @@ Scaled = Annotated[
             NUMBER,
             {"type": "array", "items": {"anyOf": [WRITTEN, NUMBER]}, "minItems": 2, "maxItems": 2},
         ],
+    ),
+]
+Ranged = Annotated[
+    Any,
+    PlainValidator(_ranged),
+    _schema(
+        {},
+        type="array",
+        items={"anyOf": [WRITTEN, NUMBER]},
+        minItems=2,
+        maxItems=2,
+        examples=[["-10 m", "30 m"]],
     ),
 ]
 SchemeName = Annotated[

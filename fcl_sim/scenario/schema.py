@@ -33,6 +33,7 @@ from fcl_sim.scenario.fields import (
     Quantified,
     QuantifiedOrList,
     QuantifiedOrWire,
+    Ranged,
     RestartKind,
     RoundingName,
     Scaled,
@@ -77,6 +78,9 @@ class FuzzyTable(Table):
     scale: dict[str, Scaled] = Field({}, description="in INT: what a count of a variable is, in its unit")
     rounding: RoundingName = Field("truncate", description="in INT: of quotients")
     units: dict[str, UnitText] = Field({}, description="unit of each variable; FCL has none")
+    ranges: dict[str, Ranged] = Field(
+        {}, description="from where to where inputs go: what `fcl-sim check --scenario` proves over"
+    )
     inputs: dict[str, WireText] = Field(description="for each input of the block, the signal it reads")
 
 

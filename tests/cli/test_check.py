@@ -158,7 +158,7 @@ def test_a_gap_is_told_with_its_share_its_place_and_what_to_do(invoke, gaps):
         "  22 | DEFUZZIFY valve\n"
         "     |           ^^^^^\n"
         "  hint: a rule for `temp IS hot AND level IS low` would help; nearest to firing: rule 1 lacks "
-        "`temp IS cold`, rule 3 lacks `level IS high`; see `fcl-sim eval gaps.fcl temp=28 level=0`\n"
+        "`temp IS cold`, rule 3 lacks `level IS high`; see `fcl-sim eval gaps.fcl --exact temp=28 level=0`\n"
         "gaps.fcl: 1 warning (fcl-sim explain FCL601 tells more)\n"
     )
 

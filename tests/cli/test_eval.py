@@ -201,3 +201,73 @@ def test_an_evaluation_without_a_figure_loads_nothing_that_draws(three):
         "assert not {'matplotlib', 'typst'} & set(sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=False).returncode == 0
+
+
+def test_exactly_a_ridge_is_seen_where_no_rule_is_active(invoke):
+    result = invoke("eval", CRANE, "--exact", "--explain", "distance=5", "angle=-45")
+    assert result.stdout == (
+        "distance = 5: close 1\n"
+        "angle = -45: neg_big 8/9 (0.888889), neg_small 1/9 (0.111111)\n"
+        "no rule fires\n"
+        "power = 0  (no rule is active: DEFAULT)\n"
+    )
+
+
+def test_exactly_numbers_are_fractions(invoke, three):
+    assert invoke("eval", three, "--exact", "distance=12", "angle=4").stdout == "power = 7.2\n"
+    assert invoke("eval", three, "--exact", "distance=37/3", "angle=4").stdout == "power = 7.2\n"
+    document = json.loads(invoke("eval", three, "--exact", "--json", "distance=37/3", "angle=0.1").stdout)
+    assert document["exact"] == {
+        "inputs": {"distance": "37/3", "angle": "1/10"},
+        "outputs": {"power": "7/4"},
+        "degrees": {"1": "1/50", "2": "29/36", "3": "7/36"},
+        "rounded": [],
+    }
+    assert document["outputs"] == {"power": 1.75}
+
+
+def test_what_is_no_fraction_is_told(invoke, three):
+    text = three.read_text().replace("(5, 0) (10, 1) (22, 0)", "GAUSS 10 4")
+    three.write_text(text)
+    told = invoke("eval", three, "--exact", "distance=10", "angle=0").stdout
+    assert told.splitlines()[-1] == "rounded, since they are no fractions: `medium` of `distance`"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["distance=12", "angle=1/0"], "'1/0' for 'angle' is not a number"),
+        (["distance=12", "angle=inf"], "'inf' for 'angle' is not a number"),
+        (["distance=12", "angle=1e999"], "'1e999' for 'angle' is not a number"),
+        (["distance=12"], "three needs a value for angle"),
+        (["distance=12", "angel=4"], "no input angel; did you mean angle?"),
+        (
+            ["distance=12", "angle=4", "--arithmetic", "REAL"],
+            "--exact goes without --arithmetic and --figure",
+        ),
+    ],
+)
+def test_exactly_what_cannot_be_meant_is_wrong_usage(invoke, three, arguments, message):
+    result = invoke("eval", three, "--exact", *arguments)
+    assert (result.exit_code, result.stderr.splitlines()[-1]) == (2, f"Error: {message}")
+
+
+def test_an_area_that_is_not_straight_is_not_computed_in_fractions(invoke, three):
+    text = three.read_text().replace("zero := 0;", "zero := (-5, 0) (0, 1) (5, 0);")
+    text = text.replace("pos_medium := 9;", "pos_medium := (0, 0) (9, 1) (18, 0);")
+    three.write_text(text.replace("METHOD: CoGS;", "METHOD: CoG; ACCU: ASUM; RANGE := (-5 .. 18);"))
+    result = invoke("eval", three, "--exact", "distance=12", "angle=4")
+    assert (result.exit_code, result.stderr.splitlines()[-1]) == (
+        2,
+        (
+            "Error: three cannot be computed with --exact: "
+            "ACCU ASUM makes areas that are not followed in fractions"
+        ),
+    )
+
+
+def test_a_fraction_without_exact_says_what_it_is_for(invoke, three):
+    result = invoke("eval", three, "distance=1/3", "angle=4")
+    assert result.stderr.splitlines()[-1] == (
+        "Error: '1/3' for 'distance' is not a number: fractions are for --exact"
+    )

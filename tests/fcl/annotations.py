@@ -14,7 +14,7 @@ def expected(text):
 def found(reading):
     return Counter(
         (place.span.line, diagnostic.code)
-        for diagnostic in reading.diagnostics
+        for diagnostic in getattr(reading, "diagnostics", reading)
         for place in diagnostic.places
         if not place.label  # a place with a label is what the guilty one clashes with
     )

@@ -137,4 +137,4 @@ def test_neighbouring_terms_that_do_not_meet_are_found():
     moved = text.replace("(0.1, 1) (0.2, 0)", "(0.1, 1) (0.21, 0)")
     assert moved != text
     (off,) = found(moved, "FCL614")
-    assert off.diagnostic.message == "the degrees of `level` nearly add up to 1, but at 0.2 to 1.09091"
+    assert off.diagnostic.message == "the degrees of `level` add up to 1, but at 0.2 to 1.09091"
