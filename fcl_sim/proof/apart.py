@@ -19,7 +19,8 @@ from fcl_sim.model import Degree, FunctionBlock, Is, Rule
 from fcl_sim.model.labels import unique_labels
 from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.cubes import leaves
-from fcl_sim.proof.enclosure import Boxes, Enclosure, Law, NotEnclosed, average
+from fcl_sim.proof.degrees import Boxes, NotEnclosed
+from fcl_sim.proof.enclosure import Enclosure, Law, average
 from fcl_sim.proof.law import Extreme, cells_of
 from fcl_sim.proof.search import STEPS, halved, largest
 from fcl_sim.proof.space import axes_of
