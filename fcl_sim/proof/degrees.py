@@ -23,6 +23,7 @@ from fcl_sim.model import (
 )
 from fcl_sim.proof.axes import is_constant
 from fcl_sim.proof.spans import Span, both, constant, either, hedged
+from fcl_sim.proof.steepness import slopes_of
 
 Values = NDArray[np.float64]
 
@@ -146,7 +147,7 @@ def _straight(points: Sequence[tuple[float, float]], low: Values, high: Values) 
 
 
 def _smooth(curve: Curve, low: Values, high: Values) -> Values:
-    """Return least and largest degree of a curve from `low` to `high`; its slopes are not followed."""
+    """Return least and largest degree of a curve from `low` to `high`, and slopes: (4, n)."""
     ends = [degrees_at(curve, np.ascontiguousarray(each)) for each in (low, high)]
     least, most = np.minimum(*ends), np.maximum(*ends)
     if curve.kind in WANDERING:
@@ -158,4 +159,4 @@ def _smooth(curve: Curve, low: Values, high: Values) -> Values:
             np.where(inside, np.minimum(least, degree), least),
             np.where(inside, np.maximum(most, degree), most),
         )
-    return np.array([least, most, np.full_like(low, -np.inf), np.full_like(low, np.inf)])
+    return np.array([least, most, *slopes_of(curve, low, high)])
