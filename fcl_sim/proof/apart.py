@@ -19,23 +19,38 @@ from fcl_sim.model import Degree, FunctionBlock, Is, Rule
 from fcl_sim.model.labels import unique_labels
 from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.cubes import leaves
-from fcl_sim.proof.enclosure import Boxes, Enclosure, Law, NotEnclosed, average
+from fcl_sim.proof.degrees import Boxes, NotEnclosed
+from fcl_sim.proof.enclosure import Enclosure, Law, average
 from fcl_sim.proof.law import Extreme, cells_of
-from fcl_sim.proof.search import STEPS, halved, largest
+from fcl_sim.proof.search import AT_ONCE, STEPS, halved, largest
 from fcl_sim.proof.space import axes_of
 from fcl_sim.proof.universe import Universe
 
 Values = NDArray[np.float64]
 
 CLOSE = 1e-6
-"""The part of an output's reach to which the largest difference is found."""
+"""The part of an output's reach to which the largest difference is found to be exact."""
 COARSE, COARSE_STEPS = 1e-2, 16
 """That part where only what matters is looked for, and the times that boxes are halved for it."""
 SHARE_STEPS = 12
 """Times that boxes are halved to tell a share."""
-MOST_BOXES = 20_000
 PART = 0.01
 """The part of an output's reach by which two laws may differ, where nothing is said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Effort:
+    """To which part of the reach a difference is found, and how much is halved for it, and for a share."""
+
+    close: float
+    steps: int
+    at_once: int
+    boxes: int
+
+
+EFFORT = Effort(CLOSE, STEPS, AT_ONCE, boxes=20_000)
+OF_AREAS = Effort(1e-3, 30, 256, boxes=1_000)
+"""The same where outputs have areas, whose bounds take longer and are wider."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +118,7 @@ class _Comparer:
         self._names = old.inputs
         self._enclosures = tuple(Enclosure(each.function_block, output) for each in self._blocks)
         self._orders = tuple(self._order(each) for each in self._blocks)
+        self._has_areas = not all(each.follows_slopes for each in self._enclosures)
         self._changed = _changed(old.function_block, new.function_block, output)
         self._moved = self._moves(old.function_block, new.function_block, output)
         self._cells = cells_of(self._names, _joined(self._names, self._blocks, universe))
@@ -128,8 +144,16 @@ class _Comparer:
         spans = [self._law(side, _whole(self._cells)) for side in (0, 1)]
         reach = max(float(each.high[0] - each.low[0]) for each in spans) or 1.0
         limit = PART * reach if threshold is None else threshold
-        close, steps = (COARSE, COARSE_STEPS) if coarse else (CLOSE, STEPS)
-        found = largest(self._cells, self._most, lambda points: self._value(points)[2], close * reach, steps)
+        effort = OF_AREAS if self._has_areas else EFFORT
+        close, steps = (COARSE, COARSE_STEPS) if coarse else (effort.close, effort.steps)
+        found = largest(
+            self._cells,
+            self._most,
+            lambda points: self._value(points)[2],
+            close * reach,
+            steps,
+            effort.at_once,
+        )
         exact = not coarse and found.gap <= 1.5 * CLOSE * reach
         at = dict(zip(self._names, found.at.tolist(), strict=True))
         bound = found.reached if exact else found.bound
@@ -203,7 +227,7 @@ class _Comparer:
             surely += float(_volumes(boxes, moving)[self._least(boxes) > limit].sum())
             open_ = (self._most(boxes) > limit) & (self._least(boxes) <= limit)
             boxes = Boxes(boxes.low[open_], boxes.high[open_])
-            if not 0 < len(boxes) < MOST_BOXES:
+            if not 0 < len(boxes) < (OF_AREAS if self._has_areas else EFFORT).boxes:
                 break
             boxes = halved(boxes, sizes)
         rest = float(_volumes(boxes, moving)[self._most(boxes) > limit].sum()) if len(boxes) else 0.0

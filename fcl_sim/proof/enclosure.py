@@ -4,68 +4,33 @@ Bounds hold whatever the output does within; they get narrower with the boxes.
 They are computed in binary64, and rounding is allowed for by what compares them.
 """
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from fcl_sim.engine.smooth import degrees_at, turns
+from fcl_sim.engine.plan_areas import EXACT
 from fcl_sim.engine.switches import switched
 from fcl_sim.model import (
-    And,
-    Condition,
-    Curve,
-    CurveKind,
+    Accumulation,
+    Activation,
+    Conclusion,
     Defuzzification,
-    Degree,
     FunctionBlock,
-    Is,
     Method,
-    Not,
-    Or,
     Point,
     Points,
     Rule,
     RuleBlock,
     Singleton,
-    Term,
 )
-from fcl_sim.proof.axes import is_constant
-from fcl_sim.proof.spans import Span, both, constant, either, hedged
+from fcl_sim.proof.axes import base_of, is_constant
+from fcl_sim.proof.centroid import Activated, Reach, bounds, reach_of
+from fcl_sim.proof.degrees import Boxes, Degrees, NotEnclosed
+from fcl_sim.proof.spans import Span, either, hedged
 
 Values = NDArray[np.float64]
-
-WANDERING = frozenset(
-    (
-        CurveKind.GAUSSIAN_PRODUCT,
-        CurveKind.SIGMOID_DIFFERENCE,
-        CurveKind.SIGMOID_DISTANCE,
-        CurveKind.SIGMOID_PRODUCT,
-    )
-)
-"""Curves that may turn where `turns` does not say so."""
-
-
-class NotEnclosed(ValueError):
-    """A rule base has something that is not bounded: the message says what."""
-
-
-@dataclass(frozen=True, slots=True)
-class Boxes:
-    """Boxes of the inputs, by the place of each: `low` and `high` (n, inputs)."""
-
-    low: Values
-    high: Values
-
-    @property
-    def middle(self) -> Values:
-        """Their middles."""
-        return np.asarray(0.5 * self.low + 0.5 * self.high)
-
-    def __len__(self) -> int:
-        return len(self.low)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +42,25 @@ class Law:
     falls: Values
     rises: Values
     maybe_undefined: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class _Concluded:
+    """A conclusion: its term in lower case, the bounds of its rule's degree, and how it is activated."""
+
+    term: str
+    span: Span
+    weight: float
+    activation: Activation
+
+    @classmethod
+    def of(cls, conclusion: Conclusion, span: Span, activation: Activation) -> "_Concluded":
+        """Return a conclusion of a rule whose degree is within a span."""
+        for hedge in reversed(conclusion.hedges):
+            span = hedged(span, hedge)
+        if isinstance(conclusion.weight, str):
+            raise NotEnclosed(f"`{conclusion.weight}` is a weight that a variable holds")
+        return cls((conclusion.term or "").casefold(), span, conclusion.weight, activation)
 
 
 class Enclosure:
@@ -100,15 +84,11 @@ class Enclosure:
         if len(accumulations) > 1 and self._output.accumulation is None:
             raise NotEnclosed("its rule blocks disagree on ACCU")
         self._accumulation = self._output.accumulation or next(iter(accumulations))
+        self._reach = self._area_reach()
 
     def rules(self, boxes: Boxes) -> list[tuple[Rule, Span]]:
         """Return every rule with the bounds of its degree, in the order of the text."""
-        reader = _Degrees(boxes, self._inputs, self._terms)
-        return [
-            (rule, reader.of(rule.condition, rule_block))
-            for rule_block in self._block.rule_blocks
-            for rule in rule_block.rules
-        ]
+        return [(rule, span) for _, rule, span in self._read(boxes)]
 
     @property
     def places(self) -> Mapping[str, tuple[float, float]]:
@@ -117,21 +97,80 @@ class Enclosure:
 
     def law(self, boxes: Boxes) -> Law:
         """Return what is known of the output over boxes."""
-        return self._defuzzified(self.shares(boxes), len(boxes))
+        concluded = self._concluded(boxes)
+        law = self._defuzzified(self._accumulated(concluded), len(boxes))
+        return law if self._reach is None else self._of_area(law, concluded, self._reach)
+
+    @property
+    def follows_slopes(self) -> bool:
+        """Whether slopes may have bounds."""
+        return self._output.method is Method.COGS
 
     def shares(self, boxes: Boxes) -> dict[str, Span]:
         """Return the accumulated degree of each term that is concluded, by name in lower case."""
+        return self._accumulated(self._concluded(boxes))
+
+    def _concluded(self, boxes: Boxes) -> list[_Concluded]:
+        """Return every conclusion on the output, with the bounds of its degree before its weight."""
+        return [
+            _Concluded.of(each, span, rule_block.activation)
+            for rule_block, rule, span in self._read(boxes, only=self._output.variable)
+            for each in rule.conclusions
+            if each.variable.casefold() == self._output.variable.casefold() and each.term is not None
+        ]
+
+    def _read(self, boxes: Boxes, only: str = "") -> Iterator[tuple[RuleBlock, Rule, Span]]:
+        """Yield rules with the bounds of their degrees, in their order; `only` those on a variable."""
+        reader = Degrees(boxes, self._inputs, self._terms)
+        for rule_block in self._block.rule_blocks:
+            for rule in rule_block.rules:
+                if not only or any(each.variable.casefold() == only.casefold() for each in rule.conclusions):
+                    yield rule_block, rule, reader.of(rule.condition, rule_block)
+
+    def _accumulated(self, concluded: Sequence[_Concluded]) -> dict[str, Span]:
         shares: dict[str, list[Span]] = {}
-        for rule, span in self.rules(boxes):
-            for each in rule.conclusions:
-                if each.variable.casefold() == self._output.variable.casefold() and each.term is not None:
-                    own = span
-                    for hedge in reversed(each.hedges):
-                        own = hedged(own, hedge)
-                    if isinstance(each.weight, str):
-                        raise NotEnclosed(f"`{each.weight}` is a weight that a variable holds")
-                    shares.setdefault(each.term.casefold(), []).append(own.times(each.weight))
+        for each in concluded:
+            shares.setdefault(each.term, []).append(each.span.times(each.weight))
         return {term: either(self._accumulation, own) for term, own in shares.items()}
+
+    def _area_reach(self) -> Reach | None:
+        """Return the cells of an output whose areas are followed; None of any other."""
+        shapes = [each.shape for each in self._output.terms]
+        activations = {
+            each.activation for each in self._block.rule_blocks if _concludes(each, self._output.variable)
+        }
+        if (
+            self._output.method not in {Method.COG, Method.COA}
+            or self._accumulation is not Accumulation.MAX
+            or not activations <= EXACT
+            or not all(isinstance(each, Points) for each in shapes)
+        ):
+            return None
+        bases = [base_of(each) for each in self._output.terms]
+        xs = [float(x) for base in bases for x, _ in base]
+        low, high = self._output.range or (min(xs), max(xs))
+        return reach_of(bases, low, high)
+
+    def _of_area(self, law: Law, concluded: Sequence[_Concluded], reach: Reach) -> Law:
+        """Return narrower bounds of a centre of gravity, or of area."""
+        names = [each.name.casefold() for each in self._output.terms]
+        groups: dict[tuple[str, Activation, float], list[_Concluded]] = {}
+        for each in concluded:
+            groups.setdefault((each.term, each.activation, each.weight), []).append(each)
+        parts = [
+            Activated(
+                names.index(term),
+                activation,
+                np.max([each.span.low for each in own], axis=0),
+                np.max([each.span.high for each in own], axis=0),
+                weight,
+            )
+            for (term, activation, weight), own in groups.items()
+        ]
+        low, high, least = bounds(self._output.method, reach, parts)
+        undefined = law.maybe_undefined | ~(least > 0.0)
+        low, high = self._with_default(low, high, undefined)
+        return replace(law, low=low, high=high, maybe_undefined=undefined)
 
     def _defuzzified(self, spans: Mapping[str, Span], boxes: int) -> Law:
         names = sorted(spans, key=lambda each: self._places[each])
@@ -254,107 +293,3 @@ def _product(low: Values, high: Values, other_low: Values | float, other_high: V
         ends = np.array([low * other_low, low * other_high, high * other_low, high * other_high])
     ends = np.nan_to_num(ends, nan=0.0, posinf=np.inf, neginf=-np.inf)
     return np.array([ends.min(axis=0), ends.max(axis=0)])
-
-
-class _Degrees:
-    """Bounds of the degrees of conditions over boxes; each term is computed once."""
-
-    def __init__(
-        self, boxes: Boxes, inputs: Mapping[str, int], terms: Mapping[tuple[str, str], Term]
-    ) -> None:
-        self._boxes, self._inputs, self._terms = boxes, inputs, terms
-        self._known: dict[tuple[str, str], Span] = {}
-
-    def of(self, condition: Condition, operators: RuleBlock) -> Span:
-        """Return the bounds of a condition."""
-        match condition:
-            case Is():
-                return self._is(condition)
-            case Degree(variable):
-                return self._degree(variable.casefold())
-            case Not(argument):
-                return self.of(argument, operators).opposite
-            case And(arguments):
-                return both(operators.and_operator, [self.of(each, operators) for each in arguments])
-            case Or(arguments):
-                return either(operators.or_operator, [self.of(each, operators) for each in arguments])
-
-    def _is(self, condition: Is) -> Span:
-        key = (condition.variable.casefold(), condition.term.casefold())
-        if not condition.term:
-            span = constant(1.0, len(self._boxes), len(self._inputs))
-        elif key in self._terms:
-            if key not in self._known:
-                self._known[key] = self._term(self._inputs[key[0]], self._terms[key])
-            span = self._known[key]
-        else:
-            raise NotEnclosed(f"a condition asks for `{condition.variable}`, which rules conclude")
-        for hedge in reversed(condition.hedges):
-            span = hedged(span, hedge)
-        return span
-
-    def _degree(self, variable: str) -> Span:
-        if variable not in self._inputs:
-            raise NotEnclosed(f"a condition asks for `{variable}`, which rules conclude")
-        place = self._inputs[variable]
-        low, high = self._boxes.low[:, place], self._boxes.high[:, place]
-        slopes = np.zeros((2, len(low), len(self._inputs)))
-        slopes[1, :, place] = (high > 0.0) & (low < 1.0)
-        slopes[0, :, place] = (low >= 0.0) & (high <= 1.0)
-        return Span(np.clip(low, 0.0, 1.0), np.clip(high, 0.0, 1.0), slopes[0], slopes[1])
-
-    def _term(self, place: int, term: Term) -> Span:
-        low, high = self._boxes.low[:, place], self._boxes.high[:, place]
-        match term.shape:
-            case Points(points) if is_constant(term):
-                own = _straight([(float(each.x), each.degree) for each in points], low, high)
-            case Curve() as curve if is_constant(term):
-                own = _smooth(curve, low, high)
-            case _:
-                raise NotEnclosed(f"variables move `{term.name}`")
-        slopes = np.zeros((2, len(low), len(self._inputs)))
-        slopes[:, :, place] = own[2:]
-        return Span(own[0], own[1], slopes[0], slopes[1])
-
-
-def _straight(points: Sequence[tuple[float, float]], low: Values, high: Values) -> Values:
-    """Return least and largest degree, and slopes, of base points from `low` to `high`: (4, n)."""
-    xs, degrees = np.array([x for x, _ in points]), np.array([degree for _, degree in points])
-    ends = np.interp(low, xs, degrees), np.interp(high, xs, degrees)
-    found = np.array([np.minimum(*ends), np.maximum(*ends), np.zeros_like(low), np.zeros_like(low)])
-    for x, degree in points:
-        inside = (low <= x) & (x <= high)
-        found[0] = np.where(inside, np.minimum(found[0], degree), found[0])
-        found[1] = np.where(inside, np.maximum(found[1], degree), found[1])
-    first = np.ones(low.shape, np.bool_)
-    pieces = [(-np.inf, xs[0], 0.0)]
-    for (left, one), (right, other) in pairwise(points):
-        slope = (other - one) / (right - left) if right > left else np.copysign(np.inf, other - one)
-        if one != other or right > left:
-            pieces.append((left, right, slope))
-    pieces.append((xs[-1], np.inf, 0.0))
-    for left, right, slope in pieces:
-        touched = (low < right) & (high > left) | ((low == high) & (low >= left) & (low <= right))
-        if left == right:
-            touched = (low <= left) & (high >= left)
-        fall, rise = (min(slope, 0.0), max(slope, 0.0)) if left == right else (slope, slope)
-        found[2] = np.where(touched, np.where(first, fall, np.minimum(found[2], fall)), found[2])
-        found[3] = np.where(touched, np.where(first, rise, np.maximum(found[3], rise)), found[3])
-        first &= ~touched
-    return found
-
-
-def _smooth(curve: Curve, low: Values, high: Values) -> Values:
-    """Return least and largest degree of a curve from `low` to `high`; its slopes are not followed."""
-    ends = [degrees_at(curve, np.ascontiguousarray(each)) for each in (low, high)]
-    least, most = np.minimum(*ends), np.maximum(*ends)
-    if curve.kind in WANDERING:
-        least, most = np.zeros_like(least), np.full_like(most, curve.height)
-    for place in turns(curve):
-        inside = (low <= place) & (place <= high)
-        (degree,) = degrees_at(curve, np.array([float(place)])).tolist()
-        least, most = (
-            np.where(inside, np.minimum(least, degree), least),
-            np.where(inside, np.maximum(most, degree), most),
-        )
-    return np.array([least, most, np.full_like(low, -np.inf), np.full_like(low, np.inf)])

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fcl_sim.block import Block
-from fcl_sim.proof.enclosure import Boxes
+from fcl_sim.proof.degrees import Boxes
 from fcl_sim.proof.section import Knot, NotStraight, section
 from fcl_sim.units import exact
 

@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 from fcl_sim.block import Block
 from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.cubes import leaves
-from fcl_sim.proof.enclosure import Boxes, Enclosure, NotEnclosed
+from fcl_sim.proof.degrees import Boxes, NotEnclosed
+from fcl_sim.proof.enclosure import Enclosure
 from fcl_sim.proof.jumps import Jump, Jumps
 from fcl_sim.proof.saturation import Saturation, saturations
 from fcl_sim.proof.search import Search, largest
@@ -39,6 +40,10 @@ CLOSE_GAIN = 1e-3
 """The part of the largest slope to which that is found."""
 GAIN_STEPS = 18
 """Times that boxes are halved for a slope."""
+BLIND_STEPS = 5
+"""Times for a slope of which no bound is followed."""
+CLOSE_AREA, AREA_STEPS, AREA_AT_ONCE = 2e-3, 30, 256
+"""As CLOSE, where areas are defuzzified; times and boxes that are halved for it."""
 STEP = 1e-6
 """The part of an input's reach over which a slope is measured."""
 FLAT = 1e-9
@@ -201,7 +206,10 @@ class _Explorer:
             return law.high if sign > 0.0 else -law.low
 
         span = self._span()
-        found = largest(self._cells, bound, lambda points: sign * self.value(points), CLOSE * span)
+        close, *effort = (CLOSE * span,)
+        if not self._enclosure.follows_slopes:
+            close, *effort = CLOSE_AREA * span, AREA_STEPS, AREA_AT_ONCE
+        found = largest(self._cells, bound, lambda points: sign * self.value(points), close, *effort)
         return self._told(found, sign, CLOSE * span)
 
     def _span(self) -> float:
@@ -217,10 +225,11 @@ class _Explorer:
     def _gain(self, place: int, span: float) -> Gain:
         step = STEP * self._reach[place]
         mean = span / float(self._reach[place])
+        steps = GAIN_STEPS if self._enclosure.follows_slopes else BLIND_STEPS
         signs = []
         for sign in (1.0, -1.0):
             bound, slope = self._of_slope(place, sign), self._slope(place, sign, step)
-            signs.append(largest(self._cells, bound, slope, CLOSE_GAIN * mean, steps=GAIN_STEPS))
+            signs.append(largest(self._cells, bound, slope, CLOSE_GAIN * mean, steps=steps))
         rise, fall = signs
         steepest, sign = (rise, 1.0) if rise.reached >= fall.reached else (fall, -1.0)
         worst = max(rise.bound, fall.bound)

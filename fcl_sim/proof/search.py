@@ -12,7 +12,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from fcl_sim.proof.enclosure import Boxes
+from fcl_sim.proof.degrees import Boxes
 
 Values = NDArray[np.float64]
 
@@ -43,6 +43,7 @@ def largest(
     value: Callable[[Values], Values],
     tolerance: float,
     steps: int = STEPS,
+    at_once: int = AT_ONCE,
 ) -> Search:
     """Return the largest `value` at points (n, inputs) over boxes, to a tolerance if the steps suffice.
 
@@ -59,7 +60,7 @@ def largest(
         if not len(boxes):
             break
         order = np.argsort(-bounds, kind="stable")
-        chosen, rest = order[:AT_ONCE], order[AT_ONCE:]
+        chosen, rest = order[:at_once], order[at_once:]
         fresh = halved(Boxes(boxes.low[chosen], boxes.high[chosen]), sizes)
         parents = np.concatenate([bounds[chosen], bounds[chosen]])
         fresh_bounds = np.minimum(bound(fresh), parents)

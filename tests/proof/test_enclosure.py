@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from fcl_sim.block import loads
-from fcl_sim.proof.enclosure import Boxes, Enclosure
+from fcl_sim.proof.degrees import Boxes
+from fcl_sim.proof.enclosure import Enclosure
 from tests.house.places import ROOT
 from tests.proof.bases import ANY, block_of, random_text
 
@@ -40,7 +41,21 @@ def evaluated(text, block, points):
     return loads(text).evaluate(columns)
 
 
+AREAS = {"s0": "(-4, 0) (-1, 1) (0, 1) (0, 0.5) (3, 0)", "s1": "(0, 0.25) (2, 1) (5, 0)"}
+
+
+def with_areas(seed):
+    """Return a rule base with areas: CoG or CoA, ACT MIN or PROD, with a RANGE that cuts them off or none."""
+    text = random_text(seed, ANY)
+    for name, shape in AREAS.items():
+        text = text.replace(f"TERM {name} := {name[1]};", f"TERM {name} := {shape};")
+    limits = "RANGE := (-3 .. 4);" if seed % 3 else ""
+    text = text.replace("METHOD: CoGS;", f"METHOD: {('CoG', 'CoA')[seed % 2]}; {limits}")
+    return text.replace("ACCU: MAX;", f"ACCU: MAX; ACT: {('MIN', 'PROD')[seed // 2 % 2]};")
+
+
 def texts():
+    yield from ((f"areas {seed}", with_areas(seed)) for seed in range(12))
     yield from ((f"seed {seed}", random_text(seed, ANY)) for seed in range(12))
     yield from ((name, (ROOT / "scenarios" / name).read_text("utf-8")) for name in SHIPPED)
 
@@ -91,3 +106,17 @@ def test_bounds_close_in_on_the_law_as_boxes_shrink():
         widths.append(np.mean(law.high - law.low))
     assert widths[1] < 0.3 * widths[0]
     assert widths[2] < 0.3 * widths[1]
+
+
+@pytest.mark.parametrize("method", ["CoG", "CoA"])
+def test_bounds_of_areas_are_near_what_is_reached(method):
+    text = with_areas(1).replace("METHOD: CoA;", f"METHOD: {method};")
+    block = block_of(text)
+    random = np.random.default_rng(3)
+    middle = random.uniform(0, 12, (300, len(block.inputs)))
+    law = Enclosure(block, "y").law(Boxes(middle, middle))
+    (values,) = evaluated(text, block, middle).values()
+    sure = ~law.maybe_undefined
+    assert sure.sum() > 50
+    assert np.abs(law.high - values)[sure].max() < 0.1
+    assert np.abs(law.low - values)[sure].max() < 0.1
