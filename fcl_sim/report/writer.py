@@ -1,4 +1,4 @@
-"""Outcomes → files: one PDF, the results as JSON, on request the pictures as PNG; whole or not at all."""
+"""Outcomes → files: one PDF, the results as JSON and stored, on request PNGs; whole or not at all."""
 
 import errno
 import json
@@ -7,17 +7,19 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.report import results, typeset
+from fcl_sim.report import archive, results, typeset
+from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.pictures import Picture
-from fcl_sim.report.provenance import date_of
+from fcl_sim.report.provenance import origin_of
 from fcl_sim.report.vector import svg
 from fcl_sim.testbench import Outcome, coverage
 from fcl_sim.verify.coverage import Coverage
 
 PDF = "report.pdf"
 RESULTS = "results.json"
+STORED = archive.beside(Path(RESULTS)).name
 LONGEST = 80
 """Characters of a file's stem; file systems take 255 bytes with the ending."""
 
@@ -35,31 +37,44 @@ def write(
     png: bool = False,
     lap: Lap | None = None,
 ) -> list[Path]:
+    """Write the report of a run as `write_stored` does; `covered` is its coverage, where it is known."""
+    known = coverage(outcomes) if covered is None else covered
+    stored = Stored(outcomes=tuple(outcomes), covered=tuple(known), origin=origin_of(outcomes))
+    return write_stored(stored, folder, progress, png=png, lap=lap)
+
+
+def write_stored(
+    stored: Stored,
+    folder: Path,
+    progress: Progress | None = None,
+    *,
+    png: bool = False,
+    lap: Lap | None = None,
+) -> list[Path]:
     """Write the report of a run into `folder`; return its files, the PDF first.
 
     Everything is made in a hidden folder inside `folder` and moved into place
     at the end, file by file, so a run that is killed leaves old files or new
     ones, none half-written. `progress` is called with the pictures drawn and
-    their number; `covered` is the coverage of the outcomes, where it is known.
-    With `png` each picture is written as one, too; without, one that a report
-    before has left under its name is removed, as it would show another run.
-    InputFault where the system refuses.
+    their number. With `png` each picture is written as one, too; without, one
+    that a report before has left under its name is removed, as it would show
+    another run. InputFault where the system refuses.
     """
-    date = date_of(outcomes)
-    known = coverage(outcomes) if covered is None else covered
     done = lap or _silent
     try:
         with workplace(folder) as work:
             shelf = Shelf()
-            data = report_data(outcomes, shelf.add, known)
+            data = report_data(stored.outcomes, shelf.add, stored.covered)
             done("drawing")
-            (work / RESULTS).write_text(results.text(outcomes, known), encoding="utf-8")
+            said = results.text(stored.outcomes, stored.covered)
+            (work / RESULTS).write_text(said, encoding="utf-8")
+            archive.write(stored, said, work / STORED)
             (work / "report.json").write_text(json.dumps(data), encoding="utf-8")
             done("writing")
             shelf.draw(work, progress or _silent)
             done("drawing")
-            (work / PDF).write_bytes(typeset.pdf(work, date))
-            names = [*(shelf.export(work) if png else []), RESULTS, PDF]
+            (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
+            names = [*(shelf.export(work) if png else []), STORED, RESULTS, PDF]
             done("typesetting")
             moved = _move(work, folder, names)[::-1]
             for each in () if png else shelf.pngs:
