@@ -20,6 +20,7 @@ from fcl_sim import __version__
 from fcl_sim.diagnostics import InputFault, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.report.codec import Unreadable, decoded, encoded
+from fcl_sim.report.proved import Proved
 from fcl_sim.report.provenance import Origin
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.coverage import Coverage
@@ -30,10 +31,11 @@ NOUNS = "nouns.json"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Stored:
-    """All that a report is made of: outcomes, how far they exercised the rule bases, where they come from."""
+    """All that a report is made of: outcomes, coverage and proofs of their rule bases, and their origin."""
 
     outcomes: tuple[Outcome, ...]
     covered: tuple[Coverage, ...]
+    proofs: tuple[Proved, ...]
     origin: Origin
 
 

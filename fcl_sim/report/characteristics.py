@@ -101,7 +101,7 @@ def _curve(subject: Subject) -> Picture:
 
 
 def _map(subject: Subject) -> Picture:
-    plane, fixed = _plane(subject)
+    plane, fixed = plane_of(subject)
     track, near = None, None
     if subject.seen:
         paths = [subject.seen[each.name] for each in plane]
@@ -121,7 +121,7 @@ def _map(subject: Subject) -> Picture:
     )
 
 
-def _plane(subject: Subject) -> tuple[list[Domain], dict[str, float]]:
+def plane_of(subject: Subject) -> tuple[list[Domain], dict[str, float]]:
     """Return the two inputs that are drawn and the values of the others."""
     chosen = sorted(subject.inputs, key=lambda each: -_moved(each, subject.seen))[:2]
     others = [each for each in subject.inputs if each not in chosen]

@@ -77,7 +77,7 @@ def run_rows(outcomes: Sequence[Outcome]) -> Iterator[RunRow]:
             yield RunRow(
                 scenario=outcome.scenario.name,
                 variant=run.variant,
-                requirements=_tallied(run.verdicts),
+                requirements=counts(run.verdicts),
                 envelope="" if over is None else f"{_good(over.verdicts)} at {counted(len(over), 'point')}",
                 status=run.verdict,
             )
@@ -205,10 +205,11 @@ def tally(verdicts: Sequence[AnyVerdict]) -> str:
 
 def run_tally(run: Run) -> str:
     """Return how many of a run's requirements came out as they should."""
-    return _tallied(verdicts_of(run))
+    return counts(verdicts_of(run))
 
 
-def _tallied(verdicts: Sequence[AnyVerdict]) -> str:
+def counts(verdicts: Sequence[AnyVerdict]) -> str:
+    """Return how many verdicts came out as they should, and how many of these are expected misses."""
     if not verdicts:
         return "none"
     missed = sum(expected_miss(verdict) for verdict in verdicts)

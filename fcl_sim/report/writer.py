@@ -9,9 +9,10 @@ from pathlib import Path
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.report import archive, results, typeset
 from fcl_sim.report.archive import Stored
-from fcl_sim.report.content import report_data
+from fcl_sim.report.content import report_data, rule_bases
 from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.pictures import Picture
+from fcl_sim.report.proved import proved
 from fcl_sim.report.provenance import origin_of
 from fcl_sim.report.vector import svg
 from fcl_sim.testbench import Outcome, coverage
@@ -39,7 +40,12 @@ def write(
 ) -> list[Path]:
     """Write the report of a run as `write_stored` does; `covered` is its coverage, where it is known."""
     known = coverage(outcomes) if covered is None else covered
-    stored = Stored(outcomes=tuple(outcomes), covered=tuple(known), origin=origin_of(outcomes))
+    stored = Stored(
+        outcomes=tuple(outcomes),
+        covered=tuple(known),
+        proofs=tuple(proved(each.node.block, each.file) for each in rule_bases(outcomes)),
+        origin=origin_of(outcomes),
+    )
     return write_stored(stored, folder, progress, png=png, lap=lap)
 
 
@@ -64,7 +70,7 @@ def write_stored(
     try:
         with workplace(folder) as work:
             shelf = Shelf()
-            data = report_data(stored.outcomes, shelf.add, stored.covered)
+            data = report_data(stored.outcomes, shelf.add, stored.covered, stored.proofs, stored.origin)
             done("drawing")
             said = results.text(stored.outcomes, stored.covered)
             (work / RESULTS).write_text(said, encoding="utf-8")
