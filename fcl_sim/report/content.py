@@ -1,31 +1,30 @@
 """What the PDF says, as the data that its template lays out: words and order, no layout."""
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import asdict
 from itertools import groupby
 from typing import Any
 
 from fcl_sim import __version__
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.judge.wording import relation
-from fcl_sim.loop.diagram import FuzzyNode
-from fcl_sim.loop.trace import FuzzyRecord
-from fcl_sim.model import Defuzzification, RuleBlock
-from fcl_sim.report import baselines, beside, characteristics, pictures, summary
-from fcl_sim.report.coverage_matrix import matrix
+from fcl_sim.loop.wiring import wire
+from fcl_sim.report import activation, baselines, beside, characteristics, pictures, summary
 from fcl_sim.report.envelopes import envelope_pictures, envelope_rows, envelope_text
 from fcl_sim.report.pictures import Picture
+from fcl_sim.report.placed import Register, placed
 from fcl_sim.report.proved import Proved
-from fcl_sim.report.provenance import InputFile, Origin, fuzzy_nodes, origin_of, rule_base
+from fcl_sim.report.provenance import Origin, origin_of
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
-from fcl_sim.report.rule_words import conformance, finding_rows
+from fcl_sim.report.rule_bases import rule_base_data, rule_bases
 from fcl_sim.report.setting import differences, milliseconds, parameters, starts
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
+from fcl_sim.report.stills import stills_of
+from fcl_sim.report.wiring import picture as wired
 from fcl_sim.report.words import (
     bound,
     counted,
     ending,
-    exactly,
     joined,
     number,
     one_line,
@@ -40,9 +39,6 @@ Data = dict[str, Any]
 
 MOST_ENTRIES = 60
 """Lines of the contents; where there would be more, they name sections of the first order alone."""
-
-Register = Callable[[str, Picture], str]
-"""Takes the folder and a picture, returns the SVG file's name that will hold it."""
 
 KIND = "Closed-loop test report"
 
@@ -81,7 +77,7 @@ def report_data(
         },
         "scenarios": [_scenario(outcome, f"s{index}", register) for index, outcome in enumerate(outcomes)],
         "depth": 2 if sum(len(each.variants) + 3 for each in outcomes) < MOST_ENTRIES else 1,
-        "rule_bases": _rule_bases(rule_bases(outcomes), register, covered, proofs),
+        "rule_bases": rule_base_data(rule_bases(outcomes), register, covered, proofs),
     }
 
 
@@ -142,9 +138,15 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
 
 def _sections(outcome: Outcome, register: Register) -> list[Data]:
     runs = list(outcome.variants.values())
+    stills = stills_of(outcome.base)
     spread = [(run, run.envelope) for run in runs if run.envelope is not None]
-    parts = [("All runs", "", pictures.all_runs(outcome))]
+    parts = [
+        ("Loop and plant", "", [wired(wire(outcome.base.diagram), outcome.scenario.title), *stills]),
+        ("All runs", "", pictures.all_runs(outcome)),
+    ]
     parts += [(run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
+    fires = [each for run in activation.first_users(runs) for each in activation.over_time(run)]
+    parts.append(("Which rules fire when", "", fires))
     maps = [each for run in runs for each in characteristics.over_inputs(run)]
     parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
     over = [
@@ -175,7 +177,7 @@ def _section(
         "text": text,
         "rows": [],
         "changes": [{key: one_line(each) for key, each in asdict(row).items()} for row in changes],
-        "pictures": [_picture(each, outcome.scenario.name, register) for each in shown],
+        "pictures": [placed(each, outcome.scenario.name, register) for each in shown],
     }
 
 
@@ -208,10 +210,6 @@ CHARACTERISTIC = (
 def paragraphs(text: str) -> list[str]:
     """Return the paragraphs of a text, parted by empty lines, each on one line."""
     return [one_line(each) for each in plain(text).split("\n\n") if each.strip()]
-
-
-def _picture(picture: Picture, folder: str, register: Register) -> Data:
-    return {"file": register(folder, picture), "caption": picture.caption, "alt": picture.alt}
 
 
 def run_title(outcome: Outcome, run: Run) -> str:
@@ -306,78 +304,3 @@ def _result(run: Run, verdict: Verdict) -> Data:
         "expected": summary.expected_miss(verdict),
         "note": "" if plainly_met else one_line(verdict.reason).removesuffix(" This miss is expected."),
     }
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Base:
-    """A rule base: its file, a block that holds it, the runs that use it by label."""
-
-    file: InputFile
-    node: FuzzyNode
-    records: Mapping[str, FuzzyRecord]
-
-
-def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
-    """Return each rule base once, in the order of its first use."""
-    found: dict[tuple[str, str], tuple[InputFile, FuzzyNode, dict[str, FuzzyRecord]]] = {}
-    for outcome in outcomes:
-        for run in outcome.variants.values():
-            label = f"{outcome.scenario.name} {run.variant}" if len(outcomes) > 1 else run.variant
-            for node in fuzzy_nodes(run):
-                file = rule_base(outcome, run, node)
-                key = (node.block.function_block.name, file.digest)
-                _, _, records = found.setdefault(key, (file, node, {}))
-                records[label] = run.trace.fuzzy[node.name]
-    return [Base(file=file, node=node, records=records) for file, node, records in found.values()]
-
-
-def _rule_bases(
-    bases: Sequence[Base], register: Register, covered: Sequence[Coverage], proofs: Sequence[Proved]
-) -> list[Data]:
-    names = [base.node.block.name for base in bases]
-    by_file = {(each.name, each.file): each for each in covered}
-    proved = {(each.name, each.file): each for each in proofs}
-    parts = []
-    for index, base in enumerate(bases):
-        part = _rule_base(base, f"r{index}", register, namesakes=names.count(base.node.block.name) > 1)
-        own = by_file.get((base.node.block.name, base.file.name))
-        parts.append(
-            part
-            | {
-                "coverage": None if own is None else matrix(own),
-                "findings": finding_rows(proved.get((base.node.block.name, base.file.name))),
-            }
-        )
-    return parts
-
-
-def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) -> Data:
-    block = base.node.block.function_block
-    shown = characteristics.memberships(base.node.block, base.node.units, f"{block.name}-terms", base.records)
-    rules = sum(len(each.rules) for each in block.rule_blocks)
-    operators = [_operators(each) for each in block.rule_blocks]
-    where = f" in {one_line(base.file.name)}" if namesakes else ""
-    outputs = [f"{each.variable}: {each.method}, {_undefined(each)}" for each in block.defuzzifications]
-    return {
-        "title": f"Rule base {one_line(block.name)}{where}",
-        "anchor": anchor,
-        "facts": [
-            fact("File", base.file.name, mono=True),
-            fact("SHA-256", base.file.digest, mono=True),
-            fact("Rules", ", ".join([str(rules), *dict.fromkeys(operators)])),
-            fact("Outputs", *outputs),
-            fact("Conformance", *conformance(block)),
-            fact("Used by", joined(list(base.records))),
-        ],
-        "pictures": [_picture(each, "rule-bases", register) for each in shown],
-        "source": plain(base.file.text).rstrip(),
-    }
-
-
-def _operators(block: RuleBlock) -> str:
-    return f"AND {block.and_operator}, OR {block.or_operator}, ACCU {block.accumulation}"
-
-
-def _undefined(output: Defuzzification) -> str:
-    """Return what an output does where no rule is active (S30)."""
-    return "NC, no change" if output.default is None else f"DEFAULT {exactly(output.default, '')}"

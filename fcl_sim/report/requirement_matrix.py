@@ -6,6 +6,7 @@ from typing import Any
 
 from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
+from fcl_sim.report import lettering
 from fcl_sim.report.summary import expected_miss
 from fcl_sim.report.words import counted, joined, one_line
 from fcl_sim.testbench import Outcome, Run
@@ -14,6 +15,10 @@ Data = dict[str, Any]
 
 MOST_RUNS = 12
 """Runs that stand beside one another; more take a further table."""
+
+SIZE = 6.6
+HIGHEST, EDGE = 26.0, 4.0
+"""Height in mm of the names of runs, which read upwards, and what is kept free of it."""
 
 TESTED = {Status.PASS, Status.FAIL}
 """Verdicts of what was put to the test."""
@@ -86,6 +91,7 @@ def _table(outcome: Outcome, anchor: str, runs: Sequence[Run]) -> Data:
         "title": one_line(outcome.scenario.title),
         "anchor": anchor,
         "runs": [one_line(run.variant) for run in runs],
+        "head": min(HIGHEST, EDGE + max(lettering.text_width(one_line(run.variant), SIZE) for run in runs)),
         "rows": [
             {
                 "id": one_line(each.requirement.id),

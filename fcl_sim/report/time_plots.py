@@ -37,7 +37,7 @@ STRETCH = 1.6
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
 
-BUCKETS = 600
+BUCKETS = 400
 """A line is thinned to its extremes in so many stretches: each narrower than the line."""
 
 

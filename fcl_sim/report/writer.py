@@ -9,11 +9,12 @@ from pathlib import Path
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.report import archive, results, typeset
 from fcl_sim.report.archive import Stored
-from fcl_sim.report.content import report_data, rule_bases
+from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.proved import proved
 from fcl_sim.report.provenance import origin_of
+from fcl_sim.report.rule_bases import rule_bases
 from fcl_sim.report.vector import svg
 from fcl_sim.testbench import Outcome, coverage
 from fcl_sim.verify.coverage import Coverage
