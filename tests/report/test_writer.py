@@ -38,8 +38,10 @@ def test_two_reports_from_the_same_inputs_are_the_same_bytes(small, tmp_path, mo
     assert written[0] == first / "report.pdf"
     assert sorted(str(each.relative_to(first)) for each in written) == sorted(everything(first))
     assert sorted(everything(first)) == [
+        "crane/transfer/base-controller.rules-activation.png",
         "crane/transfer/base-controller.rules.png",
         "crane/transfer/base-time.png",
+        "crane/transfer/wiring.png",
         "report.pdf",
         "results.json",
         "results.npz",
