@@ -203,7 +203,8 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
 
 CHARACTERISTIC = (
     "What a rule base gives for every pair of inputs, and the way of each run over it, "
-    "from the circle to the square. Where the map is hatched or the way orange, no rule is active."
+    "from the circle to the square, the darker the later; round times are marked. "
+    "Where the map is hatched or the way orange, no rule is active."
 )
 
 

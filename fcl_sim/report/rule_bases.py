@@ -12,6 +12,7 @@ from fcl_sim.report.coverage_matrix import matrix
 from fcl_sim.report.placed import Register, placed
 from fcl_sim.report.proved import Proved
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, rule_base
+from fcl_sim.report.rule_matrix import rule_tables
 from fcl_sim.report.rule_words import conformance, finding_rows
 from fcl_sim.report.sign_off import fact
 from fcl_sim.report.words import exactly, joined, one_line, plain
@@ -68,6 +69,7 @@ def rule_base_data(
 def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) -> Data:
     block = base.node.block.function_block
     shown = characteristics.memberships(base.node.block, base.node.units, f"{block.name}-terms", base.records)
+    surfaces = characteristics.characteristic(base.node.block, base.node.units, f"{block.name}-surface")
     rules = sum(len(each.rules) for each in block.rule_blocks)
     operators = [_operators(each) for each in block.rule_blocks]
     where = f" in {one_line(base.file.name)}" if namesakes else ""
@@ -84,6 +86,8 @@ def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) 
             fact("Used by", joined(list(base.records))),
         ],
         "pictures": [placed(each, "rule-bases", register) for each in shown],
+        "tables": rule_tables(block),
+        "surfaces": [placed(each, "rule-bases", register) for each in surfaces],
         "source": plain(base.file.text).rstrip(),
     }
 

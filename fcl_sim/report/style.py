@@ -24,6 +24,9 @@ Dashes = tuple[float, ...]
 DASHES: tuple[Dashes, ...] = ((), (5, 1.6), (1.2, 1.2), (6, 1.5, 1.2, 1.5), (2.5, 1.2))
 """Strokes in turn, so that runs differ in grey as well; coprime with the colours."""
 
+AGES = ("#8d959e", "#6b747d", "#4a525a", "#30373d", INK)
+"""Colours of a way, from its begin to its end."""
+
 HEAT = ("#3d6590", "#5a94a8", "#8fbfae", "#cfdfae", "#fbf3c9")
 """Colours of a map: they rise evenly in grey too, and are light enough to draw over."""
 
