@@ -83,7 +83,7 @@ def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) 
             fact("Rules", ", ".join([str(rules), *dict.fromkeys(operators)])),
             fact("Outputs", *outputs),
             fact("Conformance", *conformance(block)),
-            fact("Used by", joined(list(base.records))),
+            *([fact("Used by", joined(list(base.records)))] if base.records else []),
         ],
         "pictures": [placed(each, "rule-bases", register) for each in shown],
         "tables": rule_tables(block),

@@ -41,6 +41,12 @@ def pdf(folder: Path, date: datetime) -> bytes:
     return made
 
 
+def pages(folder: Path, ppi: int = PPI) -> list[bytes]:
+    """Return the pages of the report whose data stand in `folder`, as PNGs."""
+    made = _compiler(folder).compile(template(), format="png", ppi=ppi)
+    return made if isinstance(made, list) else [made] if made else []
+
+
 def template() -> bytes:
     """Return the layout of a report: its look, its pieces, its chapters."""
     here = files("fcl_sim.report")
