@@ -1,11 +1,13 @@
 """The rule bases of a run, each once, and what the report says of them."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from fcl_sim.loop.diagram import FuzzyNode
-from fcl_sim.loop.trace import FuzzyRecord
+from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.model import Defuzzification, RuleBlock
 from fcl_sim.report import characteristics
 from fcl_sim.report.coverage_matrix import matrix
@@ -15,6 +17,7 @@ from fcl_sim.report.provenance import InputFile, fuzzy_nodes, rule_base
 from fcl_sim.report.rule_matrix import rule_tables
 from fcl_sim.report.rule_words import conformance, finding_rows
 from fcl_sim.report.sign_off import fact
+from fcl_sim.report.telling import step_by_step
 from fcl_sim.report.words import exactly, joined, one_line, plain
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.coverage import Coverage
@@ -24,25 +27,31 @@ Data = dict[str, Any]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Base:
-    """A rule base: its file, a block that holds it, the runs that use it by label."""
+    """A rule base: its file, a block that holds it, the runs that use it by label.
+
+    `time` are the seconds (n,) of the first of these.
+    """
 
     file: InputFile
     node: FuzzyNode
     records: Mapping[str, FuzzyRecord]
+    time: Values = field(default_factory=lambda: np.zeros(0))
 
 
 def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
     """Return each rule base once, in the order of its first use."""
-    found: dict[tuple[str, str], tuple[InputFile, FuzzyNode, dict[str, FuzzyRecord]]] = {}
+    found: dict[tuple[str, str], Base] = {}
+    records: dict[tuple[str, str], dict[str, FuzzyRecord]] = {}
     for outcome in outcomes:
         for run in outcome.variants.values():
             label = f"{outcome.scenario.name} {run.variant}" if len(outcomes) > 1 else run.variant
             for node in fuzzy_nodes(run):
                 file = rule_base(outcome, run, node)
                 key = (node.block.function_block.name, file.digest)
-                _, _, records = found.setdefault(key, (file, node, {}))
-                records[label] = run.trace.fuzzy[node.name]
-    return [Base(file=file, node=node, records=records) for file, node, records in found.values()]
+                own = records.setdefault(key, {})
+                found.setdefault(key, Base(file=file, node=node, records=own, time=run.trace.time))
+                own[label] = run.trace.fuzzy[node.name]
+    return list(found.values())
 
 
 def rule_base_data(
@@ -70,6 +79,7 @@ def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) 
     block = base.node.block.function_block
     shown = characteristics.memberships(base.node.block, base.node.units, f"{block.name}-terms", base.records)
     surfaces = characteristics.characteristic(base.node.block, base.node.units, f"{block.name}-surface")
+    steps = step_by_step(base.node, base.records, base.time)
     rules = sum(len(each.rules) for each in block.rule_blocks)
     operators = [_operators(each) for each in block.rule_blocks]
     where = f" in {one_line(base.file.name)}" if namesakes else ""
@@ -87,6 +97,7 @@ def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) 
         ],
         "pictures": [placed(each, "rule-bases", register) for each in shown],
         "tables": rule_tables(block),
+        "steps": [placed(each, "rule-bases", register) for each in steps],
         "surfaces": [placed(each, "rule-bases", register) for each in surfaces],
         "source": plain(base.file.text).rstrip(),
     }
