@@ -70,9 +70,7 @@ docs: $(run_stamp) ## write the pages of docs/ that are generated
 fuzz: $(fuzz_stamp) ## look for texts that break the FCL reader, for SECONDS=3600
 	@$(python) tests/fuzz/fuzz_fcl.py $(SECONDS) build/fuzz
 
-images: $(run_stamp) ## draw the README's picture anew
-	@$(python) -m fcl_sim run scenarios/crane/transfer.toml --png --reports build/images
-	@mkdir -p docs/images && cp build/images/crane/transfer/all-runs.png docs/images/crane.png
+images: docs ## the same: the pictures are generated with the pages
 
 lock: ## write the locks from pyproject.toml; with UPGRADE=--upgrade take the newest releases
 	@$(PYTHON) -m venv --clear build/lock

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from docs.blocks import page as blocks
 from docs.conformance import page as conformance
+from docs.figures import images as figures
 from docs.gallery import images
 from docs.gallery import page as gallery
 from docs.metrics import page as metrics
@@ -19,7 +20,7 @@ there; "among the rules", that of the rules. Those with a FUNCTION_BLOCK of thei
 
 
 def pages() -> dict[str, str]:
-    """Return every generated page and picture by its path below this folder."""
+    """Return every generated page and picture but those of runs, by its path below this folder."""
     written = {f"diagnostics/{_file(codes)}": _family(title, codes) for title, codes in families()}
     return (
         {
@@ -69,8 +70,8 @@ def _family(title: str, codes: tuple[str, ...]) -> str:
 
 
 def main() -> None:
-    """Write every generated page; a family that is gone loses its page."""
-    wanted = {FOLDER / name: text for name, text in pages().items()}
+    """Write every generated page and the figures of runs; a family that is gone loses its page."""
+    wanted = {FOLDER / name: text for name, text in (pages() | figures()).items()}
     for stale in set((FOLDER / "diagnostics").glob("*.md")) - set(wanted):
         stale.unlink()
     for file, text in wanted.items():

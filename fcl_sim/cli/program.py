@@ -11,6 +11,7 @@ from fcl_sim.diagnostics import nearest
 
 COMMANDS = {
     "run": "Simulate scenarios in closed loop, judge them, write reports.",
+    "report": "Write the report of a run from what it has stored, or that of a rule base alone.",
     "baseline": "Accept what runs come to, as the baseline for the next ones; show what was accepted.",
     "judge": "Judge a recorded trace by the requirements of a scenario.",
     "mutate": "Change one thing at a time in the rule bases, and see which changes the bench notices.",

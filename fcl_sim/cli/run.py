@@ -52,6 +52,7 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 @click.option("--reports", type=click.Path(path_type=Path), metavar="DIR", help="Write the reports there.")
 @click.option("--no-report", is_flag=True, help="Write no reports.")
 @click.option("--png", is_flag=True, help="Write the pictures of the report as PNG, too.")
+@click.option("--pages", is_flag=True, help="Write the pages of the report as PNG, too: pages/001.png ...")
 @click.option("-v", "--verbose", is_flag=True, help="Print every verdict, of however many scenarios.")
 @click.option(
     "--format",
@@ -103,6 +104,7 @@ def command(  # noqa: PLR0913  an option each
     reports: Path | None,
     no_report: bool,
     png: bool,
+    pages: bool,
     verbose: bool,
     form: str | None,
     older: str | None,
@@ -145,7 +147,9 @@ def command(  # noqa: PLR0913  an option each
     written += _write_traces(outcomes, trace) if trace else []
     if folder:
         with progress("writing reports") as advance:
-            written += writer.write(outcomes, folder, advance, covered, png=png, lap=watch.lap)[:1]
+            written += writer.write(outcomes, folder, advance, covered, png=png, pages=pages, lap=watch.lap)[
+                :1
+            ]
     for file in written:
         click.echo(f"written: {shown(file)}", err=as_json)
     click.echo(str(watch), err=as_json)

@@ -174,6 +174,8 @@ CODES: dict[str, str] = {
     "RUN201": "the report cannot be written",
     "RUN202": "another run is writing its report into the same folder",
     "RUN203": "SOURCE_DATE_EPOCH is not a date",
+    "RUN204": "no report can be made of these results",
+    "RUN205": "there are no results of such a scenario",
     "RUN301": "a function of a `python` block fails",
     "SCN101": "a file of a scenario cannot be read",
     "SCN102": "a file is not TOML",

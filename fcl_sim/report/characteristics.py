@@ -36,6 +36,7 @@ class Subject:
     seen: Mapping[str, Values]
     given: Values
     active: NDArray[np.bool_]
+    time: Values
     name: str
 
 
@@ -45,18 +46,27 @@ def over_inputs(run: Run) -> list[Picture]:
         replace(each, caption=f"Run {one_line(run.variant)}: {each.caption}")
         for node in fuzzy_nodes(run)
         for each in characteristic(
-            node.block, node.units, f"{run.variant}-{node.name}", run.trace.fuzzy.get(node.name)
+            node.block,
+            node.units,
+            f"{run.variant}-{node.name}",
+            run.trace.fuzzy.get(node.name),
+            run.trace.time,
         )
     ]
 
 
 def characteristic(
-    block: Block, units: Mapping[str, str], stem: str, record: FuzzyRecord | None = None
+    block: Block,
+    units: Mapping[str, str],
+    stem: str,
+    record: FuzzyRecord | None = None,
+    time: Values | None = None,
 ) -> list[Picture]:
     """Return a picture of each output over its inputs, with the run of `record` drawn over it.
 
     Two inputs make a map, one a curve. Of more, the two that moved most are
-    drawn and the others held at their medians, or in the middle without a run.
+    drawn and the others held at their medians, or in the middle without a run,
+    where a map stands beside the surface in space. `time` (n,) are the seconds of the run.
     """
     inputs = sampling.domains(block.function_block, units)
     unit_of = {name.casefold(): unit for name, unit in units.items()}
@@ -71,6 +81,7 @@ def characteristic(
             seen=seen,
             given=record.outputs[:, column] if record else np.zeros(0),
             active=record.active[:, column] if record else np.zeros(0, dtype=bool),
+            time=np.zeros(0) if time is None else time,
             name=stem if len(block.outputs) == 1 else f"{stem}-{output}",
         )
         pictures.append(_curve(subject) if len(inputs) == 1 else _map(subject))
@@ -87,7 +98,7 @@ def _curve(subject: Subject) -> Picture:
     across, track = subject.inputs[0], None
     if subject.seen:
         across = sampling.following(across, subject.seen[across.name])
-        track = Track(subject.seen[across.name], subject.given, subject.active)
+        track = Track(subject.seen[across.name], subject.given, subject.active, subject.time)
     line = sampling.curve(subject.block, subject.output, across, {}, subject.unit)
     caption = [f"{one_line(subject.output)} over {one_line(across.name)}."]
     if line.undefined.any():
@@ -101,11 +112,11 @@ def _curve(subject: Subject) -> Picture:
 
 
 def _map(subject: Subject) -> Picture:
-    plane, fixed = _plane(subject)
+    plane, fixed = plane_of(subject)
     track, near = None, None
     if subject.seen:
         paths = [subject.seen[each.name] for each in plane]
-        track = Track(paths[0], paths[1], subject.active)
+        track = Track(paths[0], paths[1], subject.active, subject.time)
         plane = [sampling.following(each, path) for each, path in zip(plane, paths, strict=True)]
         near = sampling.closer(plane, paths)
     views = [(plane, "all terms"), *([(near, "where the run went")] if near else [])]
@@ -117,11 +128,11 @@ def _map(subject: Subject) -> Picture:
         name=subject.name,
         caption=_caption(maps[0], fixed, drawn=track is not None),
         alt=alt.of_surfaces(maps, fixed, track),
-        draw=partial(surface_plot, maps, track),
+        draw=partial(surface_plot, maps, track, in_space=track is None),
     )
 
 
-def _plane(subject: Subject) -> tuple[list[Domain], dict[str, float]]:
+def plane_of(subject: Subject) -> tuple[list[Domain], dict[str, float]]:
     """Return the two inputs that are drawn and the values of the others."""
     chosen = sorted(subject.inputs, key=lambda each: -_moved(each, subject.seen))[:2]
     others = [each for each in subject.inputs if each not in chosen]
@@ -147,6 +158,8 @@ def _finite(seen: Mapping[str, Values], name: str) -> Values:
 def _caption(surface: Surface, fixed: Mapping[str, float], *, drawn: bool) -> str:
     across, up = one_line(surface.across.name), one_line(surface.up.name)
     text = f"{one_line(surface.name)} over {across} and {up}"
+    if not drawn:
+        text += ", as a map with lines of equal height, and in space"
     if fixed:
         held = joined([f"{one_line(name)} = {number(at)}" for name, at in fixed.items()])
         text += f"; {held} held" + (" at the run's median" if drawn else "")

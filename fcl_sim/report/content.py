@@ -1,27 +1,30 @@
 """What the PDF says, as the data that its template lays out: words and order, no layout."""
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Sequence
+from dataclasses import asdict
+from itertools import groupby
 from typing import Any
 
 from fcl_sim import __version__
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.judge.wording import relation
-from fcl_sim.loop.diagram import FuzzyNode
-from fcl_sim.loop.trace import FuzzyRecord
-from fcl_sim.model import Defuzzification, RuleBlock
-from fcl_sim.report import baselines, beside, characteristics, pictures, summary
-from fcl_sim.report.coverage_matrix import matrix
+from fcl_sim.loop.wiring import wire
+from fcl_sim.report import activation, baselines, beside, characteristics, pictures, summary
 from fcl_sim.report.envelopes import envelope_pictures, envelope_rows, envelope_text
 from fcl_sim.report.pictures import Picture
-from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of, rule_base
-from fcl_sim.report.results import versions
+from fcl_sim.report.placed import Register, placed
+from fcl_sim.report.proved import Proved
+from fcl_sim.report.provenance import Origin, origin_of
+from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
+from fcl_sim.report.rule_bases import rule_base_data, rule_bases
 from fcl_sim.report.setting import differences, milliseconds, parameters, starts
+from fcl_sim.report.sign_off import computed, fact, files, sign_off
+from fcl_sim.report.stills import stills_of
+from fcl_sim.report.wiring import picture as wired
 from fcl_sim.report.words import (
     bound,
     counted,
     ending,
-    exactly,
     joined,
     number,
     one_line,
@@ -34,17 +37,8 @@ from fcl_sim.verify.coverage import Coverage
 
 Data = dict[str, Any]
 
-FORMATS = {
-    "LREAL": "LREAL, IEC 60559 binary64",
-    "REAL": "REAL, IEC 60559 binary32",
-    "INT": "INT, 16 bits, degrees 0 to 10000",
-}
-"""Arithmetics of fuzzy blocks, in words."""
 MOST_ENTRIES = 60
 """Lines of the contents; where there would be more, they name sections of the first order alone."""
-
-Register = Callable[[str, Picture], str]
-"""Takes the folder and a picture, returns the SVG file's name that will hold it."""
 
 KIND = "Closed-loop test report"
 
@@ -52,14 +46,21 @@ MOST_SUBJECTS = 3
 """Plants that a title names; of more it gives the number of scenarios."""
 
 
-def report_data(outcomes: Sequence[Outcome], register: Register, covered: Sequence[Coverage] = ()) -> Data:
+def report_data(
+    outcomes: Sequence[Outcome],
+    register: Register,
+    covered: Sequence[Coverage] = (),
+    proofs: Sequence[Proved] = (),
+    origin: Origin | None = None,
+) -> Data:
     """Return the report's data; every picture in it goes through `register`.
 
-    `covered` is how far the runs have exercised the rule bases.
+    `covered` is how far the runs have exercised the rule bases, `proofs` what
+    is proved of these; `origin` says where all of it comes from.
     """
     status = summary.overall(outcomes)
     return {
-        "title": one_line(_title(outcomes)),
+        "title": one_line(title_of(outcomes)),
         "kind": KIND,
         "version": __version__,
         "description": f"{status}: {summary.sentence(outcomes)}",
@@ -68,14 +69,19 @@ def report_data(outcomes: Sequence[Outcome], register: Register, covered: Sequen
         "sentence": summary.sentence(outcomes),
         "footer": f"fcl_sim {__version__}",
         "overview": [_overview(outcome, f"s{index}") for index, outcome in enumerate(outcomes)],
-        "provenance": _provenance(outcomes),
+        "signed": sign_off(outcomes, origin or origin_of(outcomes), covered, proofs),
+        "matrix": {
+            "tables": matrix_rows(outcomes),
+            "legend": legend(),
+            "untested": untested(outcomes),
+        },
         "scenarios": [_scenario(outcome, f"s{index}", register) for index, outcome in enumerate(outcomes)],
         "depth": 2 if sum(len(each.variants) + 3 for each in outcomes) < MOST_ENTRIES else 1,
-        "rule_bases": _rule_bases(rule_bases(outcomes), register, covered),
+        "rule_bases": rule_base_data(rule_bases(outcomes), register, covered, proofs),
     }
 
 
-def _title(outcomes: Sequence[Outcome]) -> str:
+def title_of(outcomes: Sequence[Outcome]) -> str:
     """Return the scenario's title, or what the scenarios are about."""
     if len(outcomes) == 1:
         return outcomes[0].scenario.title
@@ -88,42 +94,30 @@ def _title(outcomes: Sequence[Outcome]) -> str:
 
 
 def _overview(outcome: Outcome, anchor: str) -> Data:
-    runs = [
-        {"label": one_line(run.variant), "counts": summary.run_tally(run), "status": str(run.verdict)}
-        for run in outcome.variants.values()
-    ]
-    return {"title": one_line(outcome.scenario.title), "anchor": anchor, "runs": runs}
+    runs = list(outcome.variants.values())
+    verdicts = [verdict for run in runs for verdict in summary.verdicts_of(run)]
+    return {
+        "title": one_line(outcome.scenario.title),
+        "anchor": anchor,
+        "runs": str(len(runs)),
+        "counts": summary.counts(verdicts),
+        "status": str(outcome.verdict),
+        "open": [
+            {"label": one_line(run.variant), "counts": summary.run_tally(run), "status": str(run.verdict)}
+            for run in runs
+            if run.verdict is not Status.PASS
+        ],
+    }
 
 
-def _fact(label: str, *values: str, mono: bool = False) -> Data:
-    return {"label": label, "values": [one_line(each) for each in values], "mono": mono}
-
-
-def _provenance(outcomes: Sequence[Outcome]) -> list[Data]:
-    files = {(each.role, each.name, each.digest): each for outcome in outcomes for each in inputs_of(outcome)}
-    roles = list(dict.fromkeys(each.role for each in files.values()))
+def provenance_of(outcomes: Sequence[Outcome]) -> list[Data]:
+    """Return what was run: the files with their hashes, scans, arithmetics, versions."""
     rows = []
-    for role in roles:
-        mine = [each for each in files.values() if each.role == role]
-        lines = [line for each in mine for line in (each.name, f"  {each.digest}")]
-        rows.append(_fact(f"{role.capitalize()}{'s' if len(mine) > 1 else ''}, SHA-256", *lines, mono=True))
-    scans = {run.diagram.timing.scan for outcome in outcomes for run in outcome.variants.values()}
-    rows.append(_fact("Scan", joined([milliseconds(scan) for scan in sorted(scans)])))
-    rows += [_fact("Arithmetic", *lines) for lines in [_arithmetics(outcomes)] if lines]
-    rows.append(_fact("Versions", ", ".join(f"{name} {each}" for name, each in versions().items())))
-    return rows
-
-
-def _arithmetics(outcomes: Sequence[Outcome]) -> list[str]:
-    """Return what the fuzzy blocks computed in, each arithmetic with its blocks where there are several."""
-    blocks: dict[str, dict[str, None]] = {}
-    for outcome in outcomes:
-        for run in outcome.variants.values():
-            for node in fuzzy_nodes(run):
-                blocks.setdefault(node.arithmetic, {})[node.block.function_block.name] = None
-    if len(blocks) < 2:
-        return [FORMATS[each] for each in blocks]
-    return [f"{FORMATS[each]}: {joined(list(blocks[each]))}" for each in FORMATS if each in blocks]
+    for role, group in groupby(files(outcomes), key=lambda each: each["role"]):
+        mine = list(group)
+        lines = [line for each in mine for line in (each["name"], f"  {each['digest']}")]
+        rows.append(fact(f"{role}{'s' if len(mine) > 1 else ''}, SHA-256", *lines, mono=True))
+    return [*rows, *computed([run for outcome in outcomes for run in outcome.variants.values()])]
 
 
 def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
@@ -136,7 +130,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
         + summary.tally([verdict for run in runs for verdict in summary.verdicts_of(run)])
         + ".",
         "story": paragraphs(scenario.description),
-        "facts": _facts(outcome),
+        "facts": facts_of(outcome),
         "requirements": requirement_rows(runs),
         "sections": _sections(outcome, register),
     }
@@ -144,9 +138,15 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
 
 def _sections(outcome: Outcome, register: Register) -> list[Data]:
     runs = list(outcome.variants.values())
+    stills = stills_of(outcome.base)
     spread = [(run, run.envelope) for run in runs if run.envelope is not None]
-    parts = [("All runs", "", pictures.all_runs(outcome))]
-    parts += [(_run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
+    parts = [
+        ("Loop and plant", "", [wired(wire(outcome.base.diagram), outcome.scenario.title), *stills]),
+        ("All runs", "", pictures.all_runs(outcome)),
+    ]
+    parts += [(run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
+    fires = [each for run in activation.first_users(runs) for each in activation.over_time(run)]
+    parts.append(("Which rules fire when", "", fires))
     maps = [each for run in runs for each in characteristics.over_inputs(run)]
     parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
     over = [
@@ -177,7 +177,7 @@ def _section(
         "text": text,
         "rows": [],
         "changes": [{key: one_line(each) for key, each in asdict(row).items()} for row in changes],
-        "pictures": [_picture(each, outcome.scenario.name, register) for each in shown],
+        "pictures": [placed(each, outcome.scenario.name, register) for each in shown],
     }
 
 
@@ -203,7 +203,8 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
 
 CHARACTERISTIC = (
     "What a rule base gives for every pair of inputs, and the way of each run over it, "
-    "from the circle to the square. Where the map is hatched or the way orange, no rule is active."
+    "from the circle to the square, the darker the later; round times are marked. "
+    "Where the map is hatched or the way orange, no rule is active."
 )
 
 
@@ -212,11 +213,8 @@ def paragraphs(text: str) -> list[str]:
     return [one_line(each) for each in plain(text).split("\n\n") if each.strip()]
 
 
-def _picture(picture: Picture, folder: str, register: Register) -> Data:
-    return {"file": register(folder, picture), "caption": picture.caption, "alt": picture.alt}
-
-
-def _run_title(outcome: Outcome, run: Run) -> str:
+def run_title(outcome: Outcome, run: Run) -> str:
+    """Return the heading of a run."""
     named = run.title not in {"", run.variant, outcome.scenario.title}
     return f"Run {run.variant}: {run.title}" if named else f"Run {run.variant}"
 
@@ -237,26 +235,27 @@ def run_text(outcome: Outcome, run: Run) -> str:
     return " ".join(sentences)
 
 
-def _facts(outcome: Outcome) -> list[Data]:
+def facts_of(outcome: Outcome) -> list[Data]:
+    """Return how a scenario is set up: plant, parameters, timing, accuracy."""
     diagram = outcome.base.diagram
     plant, timing, integration = diagram.plant, diagram.timing, diagram.integration
     declared = plant.model.declaration
-    rows = [_fact("Plant", f"{declared.title} ({declared.name})" if declared.title else declared.name)]
+    rows = [fact("Plant", f"{declared.title} ({declared.name})" if declared.title else declared.name)]
     for label, given in (("Parameters", parameters(plant)), ("Start", starts(plant))):
         if given:
-            rows.append(_fact(label, ", ".join(f"{name} = {value}" for name, value in given.items())))
+            rows.append(fact(label, ", ".join(f"{name} = {value}" for name, value in given.items())))
     times = f"{with_unit(timing.duration / 1e9, 's', 9)}, scan {milliseconds(timing.scan)}"
     if timing.latency:
         times += f", latency {milliseconds(timing.latency)}"
     if timing.jitter:
         times += f", jitter up to {milliseconds(timing.jitter)}, seed {timing.seed}"
-    rows.append(_fact("Duration", times))
+    rows.append(fact("Duration", times))
     if outcome.scenario.overrides:
         rows.append(
-            _fact("Overrides", *(f"{key} = {each}" for key, each in outcome.scenario.overrides.items()))
+            fact("Overrides", *(f"{key} = {each}" for key, each in outcome.scenario.overrides.items()))
         )
     accuracy = f"{integration.scheme}, relative tolerance {number(integration.rtol)}"
-    rows.append(_fact("Integration", "exact, the plant is linear" if diagram.exact else accuracy))
+    rows.append(fact("Integration", "exact, the plant is linear" if diagram.exact else accuracy))
     return rows
 
 
@@ -282,7 +281,7 @@ def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
         "bound": bound(first.requirement),
         "definition": one_line(first.definition),
         "results": told,
-        "rows": 1 + len(told) + sum(bool(each["note"]) for each in told),
+        "rows": 1 + len(told),
     }
 
 
@@ -306,68 +305,3 @@ def _result(run: Run, verdict: Verdict) -> Data:
         "expected": summary.expected_miss(verdict),
         "note": "" if plainly_met else one_line(verdict.reason).removesuffix(" This miss is expected."),
     }
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Base:
-    """A rule base: its file, a block that holds it, the runs that use it by label."""
-
-    file: InputFile
-    node: FuzzyNode
-    records: Mapping[str, FuzzyRecord]
-
-
-def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
-    """Return each rule base once, in the order of its first use."""
-    found: dict[tuple[str, str], tuple[InputFile, FuzzyNode, dict[str, FuzzyRecord]]] = {}
-    for outcome in outcomes:
-        for run in outcome.variants.values():
-            label = f"{outcome.scenario.name} {run.variant}" if len(outcomes) > 1 else run.variant
-            for node in fuzzy_nodes(run):
-                file = rule_base(outcome, run, node)
-                key = (node.block.function_block.name, file.digest)
-                _, _, records = found.setdefault(key, (file, node, {}))
-                records[label] = run.trace.fuzzy[node.name]
-    return [Base(file=file, node=node, records=records) for file, node, records in found.values()]
-
-
-def _rule_bases(bases: Sequence[Base], register: Register, covered: Sequence[Coverage]) -> list[Data]:
-    names = [base.node.block.name for base in bases]
-    by_file = {(each.name, each.file): each for each in covered}
-    parts = []
-    for index, base in enumerate(bases):
-        part = _rule_base(base, f"r{index}", register, namesakes=names.count(base.node.block.name) > 1)
-        own = by_file.get((base.node.block.name, base.file.name))
-        parts.append(part | {"coverage": None if own is None else matrix(own)})
-    return parts
-
-
-def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) -> Data:
-    block = base.node.block.function_block
-    shown = characteristics.memberships(base.node.block, base.node.units, f"{block.name}-terms", base.records)
-    rules = sum(len(each.rules) for each in block.rule_blocks)
-    operators = [_operators(each) for each in block.rule_blocks]
-    where = f" in {one_line(base.file.name)}" if namesakes else ""
-    outputs = [f"{each.variable}: {each.method}, {_undefined(each)}" for each in block.defuzzifications]
-    return {
-        "title": f"Rule base {one_line(block.name)}{where}",
-        "anchor": anchor,
-        "facts": [
-            _fact("File", base.file.name, mono=True),
-            _fact("SHA-256", base.file.digest, mono=True),
-            _fact("Rules", ", ".join([str(rules), *dict.fromkeys(operators)])),
-            _fact("Outputs", *outputs),
-            _fact("Used by", joined(list(base.records))),
-        ],
-        "pictures": [_picture(each, "rule-bases", register) for each in shown],
-        "source": plain(base.file.text).rstrip(),
-    }
-
-
-def _operators(block: RuleBlock) -> str:
-    return f"AND {block.and_operator}, OR {block.or_operator}, ACCU {block.accumulation}"
-
-
-def _undefined(output: Defuzzification) -> str:
-    """Return what an output does where no rule is active (S30)."""
-    return "NC, no change" if output.default is None else f"DEFAULT {exactly(output.default, '')}"

@@ -42,6 +42,15 @@ def ticks(low: float, high: float, most: int) -> list[Tick]:
     return [Tick(index * step, number(index * step, DIGITS)) for index in range(first, last + 1)]
 
 
+def scale_of(low: float, high: float, most: int) -> list[Tick]:
+    """Return round ticks as `ticks` does, two at least: a lone one tells no scale."""
+    for intervals in range(most, 3 * most):
+        found = ticks(low, high, intervals)
+        if len(found) > 1:
+            return found
+    return ticks(low, high, most)
+
+
 def room_left(up: Ticks, label: str = "") -> float:
     """Return the mm that ticks, their labels and the lines of the axis' name take on the left."""
     widest = max((lettering.text_width(each.label, style.SMALL) for each in up), default=0.0)

@@ -13,12 +13,16 @@ from fcl_sim.testbench import Outcome, Run
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Picture:
-    """A figure yet to be drawn: the stem of its file, its caption, its text for who cannot see it."""
+    """A figure yet to be drawn: the stem of its file, its caption, its text for who cannot see it.
+
+    `size` are its width and height in mm where it is not as wide as the column.
+    """
 
     name: str
     caption: str
     alt: str
     draw: Callable[[], Figure]
+    size: tuple[float, float] | None = None
 
 
 def all_runs(outcome: Outcome) -> list[Picture]:

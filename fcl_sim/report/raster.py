@@ -17,7 +17,18 @@ SHADES = 255
 NONE = SHADES
 
 
-def cells(x: Values, y: Values, values: Values, range_: tuple[float, float], size: tuple[int, int]) -> bytes:
+Stops = tuple[str, ...]
+"""Colours of a scale at even distances, from its foot to its top."""
+
+
+def cells(
+    x: Values,
+    y: Values,
+    values: Values,
+    range_: tuple[float, float],
+    size: tuple[int, int],
+    stops: Stops = style.HEAT,
+) -> bytes:
     """Return cells (m, n) between the edges `x` (n + 1,) and `y` (m + 1,) as a PNG of `size` pixels.
 
     The lowest row of values is that at the foot of the picture. What is not
@@ -28,13 +39,13 @@ def cells(x: Values, y: Values, values: Values, range_: tuple[float, float], siz
     with np.errstate(invalid="ignore"):
         share = np.clip((values - low) / (high - low), 0.0, 1.0)
     shades = np.where(np.isfinite(values), np.nan_to_num(share) * (SHADES - 1) + 0.5, NONE).astype(np.uint8)
-    return _png(shades[rows[::-1, None], columns[None, :]])
+    return _png(shades[rows[::-1, None], columns[None, :]], stops)
 
 
-def scale(size: tuple[int, int]) -> bytes:
+def scale(size: tuple[int, int], stops: Stops = style.HEAT) -> bytes:
     """Return all colours from the foot to the top, as a PNG of `size` pixels."""
     steps = np.linspace(0.0, SHADES - 1.0, size[1]).round().astype(np.uint8)
-    return _png(np.repeat(steps[::-1, None], size[0], axis=1))
+    return _png(np.repeat(steps[::-1, None], size[0], axis=1), stops)
 
 
 def contours(x: Values, y: Values, values: Values, levels: Sequence[float]) -> list[Values]:
@@ -49,7 +60,7 @@ def contours(x: Values, y: Values, values: Values, levels: Sequence[float]) -> l
 def shade(part: float) -> str:
     """Return the colour of a map at a part of its range, from 0 to 1."""
     at = 3 * round(min(max(part, 0.0), 1.0) * (SHADES - 1))
-    return f"#{_palette()[at : at + 3].hex()}"
+    return f"#{_palette(style.HEAT)[at : at + 3].hex()}"
 
 
 def _at(edges: Values, count: int) -> NDArray[np.intp]:
@@ -60,20 +71,20 @@ def _at(edges: Values, count: int) -> NDArray[np.intp]:
 
 
 @cache
-def _palette() -> bytes:
+def _palette(stops: Stops) -> bytes:
     """Return the colours of a map and that of the paper, three bytes each."""
-    stops = np.array([[int(each[at : at + 2], 16) for at in (1, 3, 5)] for each in style.HEAT], dtype=float)
-    places = np.linspace(0.0, len(stops) - 1.0, SHADES)
-    shades = [np.interp(places, np.arange(len(stops)), channel) for channel in stops.T]
+    colours = np.array([[int(each[at : at + 2], 16) for at in (1, 3, 5)] for each in stops], dtype=float)
+    places = np.linspace(0.0, len(colours) - 1.0, SHADES)
+    shades = [np.interp(places, np.arange(len(colours)), channel) for channel in colours.T]
     return np.stack(shades, axis=1).round().astype(np.uint8).tobytes() + bytes.fromhex(style.PAPER[1:])
 
 
-def _png(pixels: NDArray[np.uint8]) -> bytes:
+def _png(pixels: NDArray[np.uint8], stops: Stops) -> bytes:
     """Return indices of colours (rows, columns), the uppermost row first, as PNG."""
     height, width = pixels.shape
     header = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
     lines = np.concatenate([np.zeros((height, 1), np.uint8), pixels], axis=1).tobytes()
-    parts = [(b"IHDR", header), (b"PLTE", _palette()), (b"IDAT", zlib.compress(lines, 6))]
+    parts = [(b"IHDR", header), (b"PLTE", _palette(stops)), (b"IDAT", zlib.compress(lines, 6))]
     return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(*each) for each in (*parts, (b"IEND", b"")))
 
 

@@ -1,7 +1,7 @@
 """A block sampled for its pictures: an output over one or two inputs, and where no rule is active."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,11 +61,15 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """The way of a run through a picture, (n,) each; `active` where any rule was active for the output."""
+    """The way of a run through a picture, (n,) each; `active` where any rule was active for the output.
+
+    `time` are the seconds of each point, none where they are not told.
+    """
 
     x: Values
     y: Values
     active: NDArray[np.bool_]
+    time: Values = field(default_factory=lambda: np.zeros(0))
 
 
 def domains(block: FunctionBlock, units: Mapping[str, str]) -> tuple[Domain, ...]:

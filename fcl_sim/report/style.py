@@ -24,8 +24,14 @@ Dashes = tuple[float, ...]
 DASHES: tuple[Dashes, ...] = ((), (5, 1.6), (1.2, 1.2), (6, 1.5, 1.2, 1.5), (2.5, 1.2))
 """Strokes in turn, so that runs differ in grey as well; coprime with the colours."""
 
+AGES = ("#8d959e", "#6b747d", "#4a525a", "#30373d", INK)
+"""Colours of a way, from its begin to its end."""
+
 HEAT = ("#3d6590", "#5a94a8", "#8fbfae", "#cfdfae", "#fbf3c9")
 """Colours of a map: they rise evenly in grey too, and are light enough to draw over."""
+
+FIRING = ("#e8f0f7", "#8fb4d6", "#2f6ca5", "#0f3358")
+"""Colours of a degree: the darker, the more a rule fires."""
 
 SMALL = 6.4
 NORMAL = 7.2

@@ -10,6 +10,9 @@ from fcl_sim.judge.verdict import Over, Status, Verdict, worst
 from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, one_line, value
 from fcl_sim.testbench import Outcome, Run
 
+MOST_ENVELOPES = 5
+"""Envelopes whose numbers of points a sentence lists; of more it tells the least and the largest."""
+
 AnyVerdict = Verdict | EnvelopeVerdict
 
 
@@ -77,7 +80,7 @@ def run_rows(outcomes: Sequence[Outcome]) -> Iterator[RunRow]:
             yield RunRow(
                 scenario=outcome.scenario.name,
                 variant=run.variant,
-                requirements=_tallied(run.verdicts),
+                requirements=counts(run.verdicts),
                 envelope="" if over is None else f"{_good(over.verdicts)} at {counted(len(over), 'point')}",
                 status=run.verdict,
             )
@@ -178,7 +181,10 @@ def sentence(outcomes: Sequence[Outcome]) -> str:
     parts = [counted(len(outcomes), "scenario"), counted(len(runs), "run")]
     points = [len(run.envelope) for run in runs if run.envelope is not None]
     if points:
-        parts.append(f"{counted(len(points), 'envelope')} of {joined([str(each) for each in points])} points")
+        sizes = [str(each) for each in points]
+        if len(points) > MOST_ENVELOPES:
+            sizes = [f"{min(points)} to {max(points)}"]
+        parts.append(f"{counted(len(points), 'envelope')} of {joined(sizes)} points")
     return sentence_of(", ".join([*parts, counted(len(verdicts), "verdict")]), verdicts)
 
 
@@ -205,10 +211,11 @@ def tally(verdicts: Sequence[AnyVerdict]) -> str:
 
 def run_tally(run: Run) -> str:
     """Return how many of a run's requirements came out as they should."""
-    return _tallied(verdicts_of(run))
+    return counts(verdicts_of(run))
 
 
-def _tallied(verdicts: Sequence[AnyVerdict]) -> str:
+def counts(verdicts: Sequence[AnyVerdict]) -> str:
+    """Return how many verdicts came out as they should, and how many of these are expected misses."""
     if not verdicts:
         return "none"
     missed = sum(expected_miss(verdict) for verdict in verdicts)

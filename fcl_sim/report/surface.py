@@ -1,6 +1,6 @@
 """The characteristic of a block, as a heat map or a curve, with a run drawn over it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,9 +9,10 @@ from fcl_sim.loop.trace import Values
 from fcl_sim.report import lettering, raster, style
 from fcl_sim.report.canvas import Axes, Dot, Figure, Image, Line, Shape, Text, joined, span
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
+from fcl_sim.report.relief import Relief, draw_relief
 from fcl_sim.report.sampling import Curve, Surface, Track
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.words import bracketed
+from fcl_sim.report.words import bracketed, one_line
 
 TOP, HEIGHT = 5.0, 58.0
 BAR, BESIDE = 3.0, 3.0
@@ -23,13 +24,29 @@ PIXELS = 4.0
 
 HALO = 2.6
 
+TILES = 25
+"""Corners of tiles of a surface in space, each way."""
+NAME = 26.0
+"""Width in mm of the name of an input beside it."""
 
-def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Figure:
+MOST_TIMES = 14
+"""Round times that are marked on a track, at most."""
+APART = 6.0
+"""What lies between two of them in mm, at least."""
+TIME = 5.6
+"""Of these times in points."""
+
+
+def surface_plot(
+    surfaces: Sequence[Surface], track: Track | None = None, *, in_space: bool = False
+) -> Figure:
     """Return one or two heat maps of an output over two inputs, side by side on one scale.
 
     Where no rule is active the map is hatched; `track` is drawn over it from an
-    open circle to a filled square.
+    open circle to a filled square, the darker the later. With `in_space` the first
+    surface stands beside them, seen from above and the side, and has holes there.
     """
+    panels = len(surfaces) + in_space
     first, (least, most) = surfaces[0], _range(surfaces)
     up = lettering.wrapped(bracketed(first.up.name, first.up.unit), HEIGHT)
     beside = lettering.wrapped(bracketed(first.name, first.unit), HEIGHT)
@@ -37,7 +54,7 @@ def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Fig
     levels = ticks(least, most, 9)
     left = max(room_left(each, up) for each in marks)
     bar = BESIDE + BAR + room_left(levels, beside)
-    width = (style.WIDTH - bar) / len(surfaces) - left - EDGE
+    width = (style.WIDTH - bar) / panels - left - EDGE
     across = lettering.wrapped(bracketed(first.across.name, first.across.unit), width)
     figure = Figure(TOP + HEIGHT + room_below(across))
     for index, surface in enumerate(surfaces):
@@ -49,11 +66,25 @@ def surface_plot(surfaces: Sequence[Surface], track: Track | None = None) -> Fig
         below = ticks(surface.x[0], surface.x[-1], int(width / 9.0))
         draw_frame(axes, below, marks[index], (across, up), grid=False)
         axes.add(Text(0.0, 1.0, surface.title, style.SMALL, style.FAINT, shift=(0.0, 1.2), parts=True))
+    if in_space:
+        start = len(surfaces) * (left + width + EDGE) + EDGE
+        axes = figure.place(start, TOP, style.WIDTH - bar - start - EDGE, HEIGHT, "space")
+        draw_relief(axes, _relief(first), (least, most))
     axes = figure.place(style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT, "scale")
     axes.y = (least, most)
     axes.add(Image((0.0, 1.0), (least, most), raster.scale((1, raster.SHADES)), z=1))
     draw_scale(axes, levels, beside)
     return figure
+
+
+def _relief(surface: Surface) -> Relief:
+    """Return a surface in tiles, as many as can be told apart, without those where no rule is active."""
+    x, y = ((edges[:-1] + edges[1:]) / 2.0 for edges in (surface.x, surface.y))
+    columns, rows = (np.unique(np.linspace(0, len(each) - 1, TILES).round().astype(int)) for each in (x, y))
+    shown = np.where(surface.undefined, np.nan, surface.values)
+    names = [surface.across.name, surface.up.name, surface.name]
+    across, up, out = (lettering.cut(one_line(each), NAME, style.SMALL) for each in names)
+    return Relief(x=x[columns], y=y[rows], values=shown[np.ix_(rows, columns)], names=(across, up, out))
 
 
 def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
@@ -150,13 +181,16 @@ def _outline(surface: Surface) -> list[list[tuple[float, float]]]:
 
 def _draw_track(axes: Axes, track: Track) -> None:
     (left, right), (low, high) = axes.x, axes.y
-    x, y, active = thinned_path(track, (right - left, high - low))
+    kept = _kept(track, (right - left, high - low))
+    x, y, active = track.x[kept], track.y[kept], track.active[kept]
     if not len(x):
         return
-    axes.add(Line(x, y, style.INK, 1.0, halo=HALO, z=5, label="track"))
+    for start, end, colour in _ages(track, kept):
+        axes.add(Line(x[start:end], y[start:end], colour, 1.0, halo=HALO, z=5, label="track"))
     for start, end in stretches(~active):
         lost = slice(max(start - 1, 0), end + 1)
         axes.add(Line(x[lost], y[lost], style.VIOLATION_EDGE, 1.0, halo=HALO, z=5.1, label="track"))
+    _draw_times(axes, track)
     first, last = (float(x[0]), float(y[0])), (float(x[-1]), float(y[-1]))
     if left <= first[0] <= right and low <= first[1] <= high:
         axes.add(Dot(*first, "circle", style.INK, 6.2, style.PAPER, z=6))
@@ -164,15 +198,54 @@ def _draw_track(axes: Axes, track: Track) -> None:
         axes.add(Dot(*last, "square", style.INK, 4.4, halo=HALO, z=6))
 
 
+def _ages(track: Track, kept: NDArray[np.intp]) -> Iterator[tuple[int, int, str]]:
+    """Yield stretches of the points that are kept, each with its colour: the darker the later."""
+    if len(track.time) != len(track.x):
+        yield 0, len(kept), style.INK
+        return
+    cuts = np.linspace(0, len(kept), len(style.AGES) + 1).round().astype(int)[1:-1]
+    for start, end, colour in zip([0, *cuts], [*cuts, len(kept)], style.AGES, strict=True):
+        if end > start:
+            yield int(start), int(end) + 1, colour  # up to the next one's first point
+
+
+def _draw_times(axes: Axes, track: Track) -> None:
+    """Mark round times on a track, where they do not meet."""
+    if len(track.time) != len(track.x) or len(track.time) < 2:
+        return
+    (left, right), (low, high) = axes.x, axes.y
+    taken = [(track.x[0], track.y[0]), (track.x[-1], track.y[-1])]
+    for each in ticks(float(track.time[0]), float(track.time[-1]), MOST_TIMES)[1:]:
+        sample = int(np.searchsorted(track.time, each.at - 1e-9))
+        x, y = float(track.x[min(sample, len(track.x) - 1)]), float(track.y[min(sample, len(track.x) - 1)])
+        across, up = ((x - left) / (right - left) * axes.width, (y - low) / (high - low) * axes.height)
+        apart = [
+            np.hypot((x - u) / (right - left) * axes.width, (y - v) / (high - low) * axes.height)
+            for u, v in taken
+        ]
+        if min(apart) < APART or not (2.0 < across < axes.width - 8.0 and 3.0 < up < axes.height - 3.0):
+            continue
+        taken.append((x, y))
+        axes.add(Dot(x, y, "circle", style.INK, 2.6, halo=1.2, z=5.5))
+        told = f"{each.label} s"
+        axes.add(Text(x, y, told, TIME, up="bottom", shift=(0.8, 0.5), backed=0.15, z=5.6))
+
+
+def _kept(track: Track, spans: tuple[float, float], cells: int = 1500) -> NDArray[np.intp]:
+    """Return which points of a track are finite and leave their `cells`-th of the spans, and its last."""
+    finite = np.flatnonzero(np.isfinite(track.x) & np.isfinite(track.y))
+    if len(finite) < 2:
+        return finite
+    x, y, active = track.x[finite], track.y[finite], track.active[finite]
+    places = np.stack([np.round(x / spans[0] * cells), np.round(y / spans[1] * cells), active])
+    keep = np.concatenate(([True], (np.diff(places, axis=1) != 0).any(axis=0)))
+    keep[-1] = True
+    return finite[keep]
+
+
 def thinned_path(
     track: Track, spans: tuple[float, float], cells: int = 1500
 ) -> tuple[Values, Values, NDArray[np.bool_]]:
     """Return the points of a track that are finite and leave their `cells`-th of the spans, and its last."""
-    finite = np.isfinite(track.x) & np.isfinite(track.y)
-    x, y, active = track.x[finite], track.y[finite], track.active[finite]
-    if len(x) < 2:
-        return x, y, active
-    places = np.stack([np.round(x / spans[0] * cells), np.round(y / spans[1] * cells), active])
-    keep = np.concatenate(([True], (np.diff(places, axis=1) != 0).any(axis=0)))
-    keep[-1] = True
-    return x[keep], y[keep], active[keep]
+    kept = _kept(track, spans, cells)
+    return track.x[kept], track.y[kept], track.active[kept]

@@ -11,7 +11,7 @@ from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import lettering, style
 from fcl_sim.report.bands import draw_bands, draw_corridors, draw_violations, focus_on, worth_showing
 from fcl_sim.report.canvas import Axes, Dot, Figure, Line, Text, span, upright
-from fcl_sim.report.frame import draw_frame, room_below, ticks
+from fcl_sim.report.frame import draw_frame, room_below, scale_of, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
@@ -37,7 +37,7 @@ STRETCH = 1.6
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
 
-BUCKETS = 600
+BUCKETS = 400
 """A line is thinned to its extremes in so many stretches: each narrower than the line."""
 
 
@@ -78,9 +78,10 @@ def lanes(run: Shown) -> list[Lane]:
     """Return the axes of a run: judged signals first, equal signals once under all their names.
 
     A judged signal whose bounds are narrow beside its range gets a second axis
-    close to them.
+    close to them. A clock, which is the time itself, gets none.
     """
     trace = run.trace
+    clock = ("s", trace.time.tobytes())
     judged = {name for verdict in run.verdicts for name in verdict.requirement.signals}
     found: dict[tuple[str, bytes], list[str]] = {}
     for column, name in enumerate(trace.names):
@@ -88,11 +89,13 @@ def lanes(run: Shown) -> list[Lane]:
         found.setdefault(key, []).append(name)
     first: list[Lane] = []
     others: list[Lane] = []
-    for (unit, _), names in found.items():
+    for (unit, values), names in found.items():
         names.sort(key=lambda name: name not in judged)
+        if (unit, values) == clock and names[0] not in judged:
+            continue
         lane = Lane(signal=names[0], names=tuple(names), unit=unit, judged=names[0] in judged)
         (first if lane.judged else others).append(lane)
-        focus = focus_on(_bands(lane, [run]), trace[lane.signal])
+        focus = focus_on(bands_of(lane, [run]), trace[lane.signal])
         if focus is not None:
             first.append(replace(lane, focus=focus))
     return first + others
@@ -117,7 +120,9 @@ def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Value
     span = flat[starts + largest] - flat[starts + least]
     jump = np.abs(flat[extremes] - flat[extremes - 1])
     before = extremes[(extremes > 0) & (jump >= STEP * np.tile(span, 2))] - 1
-    chosen = np.unique(np.concatenate([starts, extremes, before, [len(time) - 1]]))
+    chosen = np.zeros(len(time), dtype=bool)
+    for each in (starts, extremes, before, [-1]):
+        chosen[each] = True
     return time[chosen], values[chosen]
 
 
@@ -157,7 +162,7 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
         axes.x = (0.0, end)
         _draw_lane(axes, lane, runs)
         bottom = lane is shown[-1]
-        up = ticks(*axes.y, 4 if lane.judged else 3)
+        up = scale_of(*axes.y, 4 if lane.judged else 3)
         draw_frame(axes, ticks(0.0, end, 9), up, ("time [s]" if bottom else "", ""), labels=bottom)
         _heading(axes, texts, lane, runs)
         top += axes.height + GAP
@@ -165,13 +170,13 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
 
 
 def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
-    bands = _bands(lane, runs)
+    bands = bands_of(lane, runs)
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
     shown = [run.trace[lane.signal] for _, run in present]
-    shown += [edge for each in _corridors(lane, runs) for edge in (np.array(each.low), np.array(each.high))]
+    shown += [edge for each in corridors_of(lane, runs) for edge in (np.array(each.low), np.array(each.high))]
     axes.y = lane.focus or _limits(shown, bands)
     draw_bands(axes, bands)
-    draw_corridors(axes, _corridors(lane, runs))
+    draw_corridors(axes, corridors_of(lane, runs))
     for index, run in reversed(present):
         _draw_run(axes, lane, run, index, alone=len(runs) == 1)
 
@@ -198,7 +203,7 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
         _mark_undefined(axes, lane, run.trace)
 
 
-def _bands(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:
+def bands_of(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:
     """Return each band once, with the requirements that ask for it."""
     bands: dict[Band, list[str]] = {}
     for verdict in (each for run in runs for each in run.verdicts):
@@ -209,7 +214,7 @@ def _bands(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:
     return bands
 
 
-def _corridors(lane: Lane, runs: Sequence[Shown]) -> list[Corridor]:
+def corridors_of(lane: Lane, runs: Sequence[Shown]) -> list[Corridor]:
     """Return each corridor of a lane's signals once."""
     asked = (verdict.requirement.corridor for run in runs for verdict in run.verdicts)
     return list(dict.fromkeys(each for each in asked if each is not None and each.signal in lane.names))

@@ -12,6 +12,9 @@ from fcl_sim.report.lettering import fonts
 PPI = 160
 """Dots per inch of a PNG."""
 
+TEMPLATE = ("style.typ", "pieces.typ", "report.typ")
+"""The files of the layout, one after the other."""
+
 GALLERY = b"""
 #set page(width: auto, height: auto, margin: 0pt)
 #for each in json("gallery.json") { page(image(each)) }
@@ -31,12 +34,23 @@ def pdf(folder: Path, date: datetime) -> bytes:
 
     Tagged PDF/A-3a and PDF/UA-1, the same bytes from the same files.
     """
-    template = files("fcl_sim.report").joinpath("report.typ").read_bytes()
     made = _compiler(folder).compile(
-        template, format="pdf", pdf_standards=["a-3a", "ua-1"], timestamp=date.astimezone(UTC)
+        template(), format="pdf", pdf_standards=["a-3a", "ua-1"], timestamp=date.astimezone(UTC)
     )
     assert isinstance(made, bytes)  # noqa: S101  a PDF is one file
     return made
+
+
+def pages(folder: Path, ppi: int = PPI) -> list[bytes]:
+    """Return the pages of the report whose data stand in `folder`, as PNGs."""
+    made = _compiler(folder).compile(template(), format="png", ppi=ppi)
+    return made if isinstance(made, list) else [made] if made else []
+
+
+def template() -> bytes:
+    """Return the layout of a report: its look, its pieces, its chapters."""
+    here = files("fcl_sim.report")
+    return b"\n".join(here.joinpath(name).read_bytes() for name in TEMPLATE)
 
 
 def pngs(folder: Path) -> list[bytes]:

@@ -36,7 +36,14 @@ def picture(wiring: Wiring, title: str) -> Picture:
         "The plant stands twice, as it is read and as it is written; what a block reads of the last scan "
         "is named in it. Blocks outside of the controller are shaded."
     )
-    return Picture(name="wiring", caption=caption, alt=alt(wiring), draw=partial(draw, wiring))
+    drawing = laid_out(wiring)
+    return Picture(
+        name="wiring",
+        caption=caption,
+        alt=alt(wiring),
+        draw=partial(draw, wiring),
+        size=(drawing.width, drawing.height),
+    )
 
 
 def alt(wiring: Wiring) -> str:

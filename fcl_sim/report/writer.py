@@ -1,4 +1,4 @@
-"""Outcomes → files: one PDF, the results as JSON, on request the pictures as PNG; whole or not at all."""
+"""Outcomes → files: one PDF, the results as JSON and stored, on request PNGs; whole or not at all."""
 
 import errno
 import json
@@ -7,17 +7,24 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.report import results, typeset
+from fcl_sim.report import alone, archive, results, typeset
+from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.pictures import Picture
-from fcl_sim.report.provenance import date_of
+from fcl_sim.report.proved import proved
+from fcl_sim.report.provenance import origin_of
+from fcl_sim.report.rule_bases import rule_bases
 from fcl_sim.report.vector import svg
 from fcl_sim.testbench import Outcome, coverage
 from fcl_sim.verify.coverage import Coverage
 
 PDF = "report.pdf"
 RESULTS = "results.json"
+DATA = "report.json"
+PAGES = "pages"
+"""The folder of the pages as PNG."""
+STORED = archive.beside(Path(RESULTS)).name
 LONGEST = 80
 """Characters of a file's stem; file systems take 255 bytes with the ending."""
 
@@ -26,13 +33,34 @@ Lap = Callable[[str], None]
 """Is told what has just been done: `drawing`, `typesetting` or `writing`."""
 
 
-def write(
+def write(  # noqa: PLR0913  a choice each
     outcomes: Sequence[Outcome],
     folder: Path,
     progress: Progress | None = None,
     covered: Sequence[Coverage] | None = None,
     *,
     png: bool = False,
+    pages: bool = False,
+    lap: Lap | None = None,
+) -> list[Path]:
+    """Write the report of a run as `write_stored` does; `covered` is its coverage, where it is known."""
+    known = coverage(outcomes) if covered is None else covered
+    stored = Stored(
+        outcomes=tuple(outcomes),
+        covered=tuple(known),
+        proofs=tuple(proved(each.node.block, each.file) for each in rule_bases(outcomes)),
+        origin=origin_of(outcomes),
+    )
+    return write_stored(stored, folder, progress, png=png, pages=pages, lap=lap)
+
+
+def write_stored(
+    stored: Stored,
+    folder: Path,
+    progress: Progress | None = None,
+    *,
+    png: bool = False,
+    pages: bool = False,
     lap: Lap | None = None,
 ) -> list[Path]:
     """Write the report of a run into `folder`; return its files, the PDF first.
@@ -40,34 +68,71 @@ def write(
     Everything is made in a hidden folder inside `folder` and moved into place
     at the end, file by file, so a run that is killed leaves old files or new
     ones, none half-written. `progress` is called with the pictures drawn and
-    their number; `covered` is the coverage of the outcomes, where it is known.
-    With `png` each picture is written as one, too; without, one that a report
-    before has left under its name is removed, as it would show another run.
-    InputFault where the system refuses.
+    their number. With `png` each picture is written as one, too, with `pages`
+    each page; without, one that a report before has left under its name is
+    removed, as it would show another run. InputFault where the system refuses.
     """
-    date = date_of(outcomes)
-    known = coverage(outcomes) if covered is None else covered
     done = lap or _silent
     try:
         with workplace(folder) as work:
             shelf = Shelf()
-            data = report_data(outcomes, shelf.add, known)
+            data = report_data(stored.outcomes, shelf.add, stored.covered, stored.proofs, stored.origin)
             done("drawing")
-            (work / RESULTS).write_text(results.text(outcomes, known), encoding="utf-8")
-            (work / "report.json").write_text(json.dumps(data), encoding="utf-8")
+            said = results.text(stored.outcomes, stored.covered)
+            (work / RESULTS).write_text(said, encoding="utf-8")
+            archive.write(stored, said, work / STORED)
+            (work / DATA).write_text(json.dumps(data), encoding="utf-8")
             done("writing")
             shelf.draw(work, progress or _silent)
             done("drawing")
-            (work / PDF).write_bytes(typeset.pdf(work, date))
-            names = [*(shelf.export(work) if png else []), RESULTS, PDF]
+            (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
+            names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
             done("typesetting")
-            moved = _move(work, folder, names)[::-1]
-            for each in () if png else shelf.pngs:
-                (folder / each).unlink(missing_ok=True)
+            moved = _move(work, folder, [*names, STORED, RESULTS, PDF])[::-1]
+            _remove(folder, [] if png else shelf.pngs, kept=names if pages else [])
             done("writing")
             return moved
     except OSError as error:
         raise refused(error, folder) from error
+
+
+def write_alone(file: Path, folder: Path, *, png: bool = False, pages: bool = False) -> list[Path]:
+    """Write the report of a rule base alone into `folder`, as FILE.pdf; return its files, the PDF first.
+
+    InputFault where the rule base has errors, or the system refuses.
+    """
+    blocks, source, origin = alone.of_file(file)
+    try:
+        with workplace(folder) as work:
+            shelf = Shelf()
+            data = alone.report_data(blocks, source, origin, shelf.add)
+            (work / DATA).write_text(json.dumps(data), encoding="utf-8")
+            (work / RESULTS).write_text(alone.findings_text(blocks, source), encoding="utf-8")
+            shelf.draw(work, _silent)
+            name = f"{slug(file.stem)}.pdf"
+            (work / name).write_bytes(typeset.pdf(work, origin.date))
+            names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
+            return _move(work, folder, [*names, name])[::-1]
+    except OSError as error:
+        raise refused(error, folder) from error
+
+
+def _pages(work: Path) -> list[str]:
+    """Write every page as PNG; return the files' names."""
+    (work / PAGES).mkdir()
+    names = []
+    for number, page in enumerate(typeset.pages(work), start=1):
+        names.append(f"{PAGES}/{number:03}.png")
+        (work / names[-1]).write_bytes(page)
+    return names
+
+
+def _remove(folder: Path, pngs: Sequence[str], kept: Sequence[str]) -> None:
+    """Remove pictures and pages that a report before has left, all pages but those that are `kept`."""
+    names = {Path(each).name for each in kept}
+    stale = [each for each in (folder / PAGES).glob("[0-9]*.png") if each.name not in names]
+    for each in (*(folder / name for name in pngs), *stale):
+        each.unlink(missing_ok=True)
 
 
 class Shelf:

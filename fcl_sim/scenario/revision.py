@@ -1,4 +1,4 @@
-"""A bench as it was at a revision of git, in a folder of its own."""
+"""A bench and git: the revision it stands at, and the bench as it was at another, in a folder of its own."""
 
 import io
 import subprocess
@@ -6,9 +6,39 @@ import tempfile
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 from fcl_sim.diagnostics import InputFault
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Revision:
+    """Where a bench stands in git: the `commit` in hex, `changed` the files that are not as they are there.
+
+    The commit is empty where the bench is in no repository, or git is not installed.
+    """
+
+    bench: str
+    commit: str = ""
+    changed: tuple[str, ...] = ()
+
+    @property
+    def is_clean(self) -> bool:
+        """Whether the files of the repository are those of the commit."""
+        return bool(self.commit) and not self.changed
+
+
+def revision_of(bench: Path) -> Revision:
+    """Return where a bench stands in git; files that git is told to ignore do not count."""
+    name = bench.absolute().name
+    try:
+        commit = _git(bench, "rev-parse", "--verify", "--quiet", "HEAD", wrong="").decode().strip()
+        status = _git(bench, "status", "--porcelain", "-z", "--no-renames", wrong="")
+    except InputFault:
+        return Revision(bench=name)
+    changed = tuple(sorted(each[3:] for each in status.decode("utf-8", "replace").split("\0") if each))
+    return Revision(bench=name, commit=commit, changed=changed)
 
 
 @contextmanager

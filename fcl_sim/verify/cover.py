@@ -41,7 +41,7 @@ def cover(subject: Subject, visit: Visit, least: float = LEAST, file: str = "") 
     """
     block, record = subject.block.function_block, visit.record
     changes = _changes(subject, record)
-    dominant = _dominant(counted(block), record)
+    leads = dominant(block, record)
     rules = [rule for each in block.rule_blocks for rule in each.rules]
     return Coverage(
         name=block.name,
@@ -54,7 +54,7 @@ def cover(subject: Subject, visit: Visit, least: float = LEAST, file: str = "") 
                 label=label,
                 text=rule_text(rule),
                 fired=_seen(record.degrees[:, place] > 0.0, visit),
-                dominant=_seen(dominant[:, place], visit),
+                dominant=_seen(leads[:, place], visit),
                 decisive=_seen(changes[:, place] > least, visit),
                 change=float(np.max(changes[:, place], initial=0.0)),
             )
@@ -80,12 +80,12 @@ def _seen(where: Flags, visit: Visit) -> Seen:
     return Seen(int(scans.size), first)
 
 
-def _dominant(block: FunctionBlock, record: FuzzyRecord) -> Flags:
+def dominant(block: FunctionBlock, record: FuzzyRecord) -> Flags:
     """Return where each rule has the largest degree above 0 of those that conclude on one variable."""
     brought = {name.casefold(): record.inputs[:, place] for place, name in enumerate(record.input_names)}
     starts = np.cumsum([0, *(len(each.rules) for each in block.rule_blocks)])
     shares: dict[str, list[tuple[int, Values]]] = {}
-    for (number, place, _), _, each in conclusions(block):
+    for (number, place, _), _, each in conclusions(counted(block)):
         rule = int(starts[number]) + place
         share = _concluded(each, record.degrees[:, rule], brought)
         shares.setdefault(each.variable.casefold(), []).append((rule, share))

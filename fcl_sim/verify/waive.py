@@ -29,10 +29,11 @@ FORM = "write (* waive FCL608 of NAME, 2026-03-01: the reason *)"
 
 @dataclass(frozen=True, slots=True)
 class Left:
-    """The findings that are left, and what is wrong with waivers."""
+    """The findings that are left, what is wrong with waivers, and the waivers of those that are gone."""
 
     findings: tuple[Finding, ...]
     faults: tuple[Diagnostic, ...]
+    waivers: tuple[Waiver, ...] = ()
 
 
 def waive(findings: Sequence[Finding], source: Source, file: Path, bench: Path) -> Left:
@@ -51,7 +52,7 @@ def waive(findings: Sequence[Finding], source: Source, file: Path, bench: Path) 
             left.append(each)
     idle = [waiver for place, waiver in enumerate(own) if place not in used]
     faults += [unused(each, f"there is no {each.what}{_of(each)}") for each in idle]
-    return Left(tuple(left), tuple(faults))
+    return Left(tuple(left), tuple(faults), tuple(own[place] for place in sorted(used)))
 
 
 def _of(waiver: Waiver) -> str:

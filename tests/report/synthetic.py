@@ -3,22 +3,22 @@
 import hashlib
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 
 from fcl_sim.block import Block, loads
-from fcl_sim.diagnostics import Source
+from fcl_sim.diagnostics import Source, Span
 from fcl_sim.formula.text import plain
 from fcl_sim.judge.temporal.formula import bind, read
 from fcl_sim.judge.verdict import Band, Requirement, Status, Verdict, worst
-from fcl_sim.loop.diagram import Diagram, FuzzyNode, PlantNode, Timing
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Integration, PlantNode, Timing, Wire
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Trace
 from fcl_sim.plant.catalog import PlantModel
 from fcl_sim.plant.declaration import Input, Output, Parameter, Plant, State
 from fcl_sim.plant.functions import DEFAULTS, PlantFunctions, as_entry
-from fcl_sim.scenario.model import Scenario, SourceFile
+from fcl_sim.scenario.model import PlantSetup, Scenario, Setup, SourceFile
 from fcl_sim.testbench import BASE, Outcome, Run
+from fcl_sim.toml import Entry
 
 EVIL = "#panic(1) $x$ <script>alert(1)</script> µ 😀 \\ [*_`@ &amp; 漢字"
 """What a name may hold that markup, mathematics or HTML would take for their own."""
@@ -207,17 +207,22 @@ def verdicts(kind: str, *, expect_fail: bool = False) -> tuple[Verdict, ...]:
     return (verdict(), sway)
 
 
+UNITS = {"distance": "m", "angle": "deg", "power": "kW"}
+
+
 def at_rest(t, x, u, p, mode, result):
     """Stand still."""
 
 
-def plant(folder: Path) -> PlantModel:
+def plant(folder: Path, block: Block | None = None) -> PlantModel:
+    """Return a plant that gives the distance and whatever `block` reads."""
+    measured = dict.fromkeys(("distance", *(block.inputs if block else ())))
     declaration = Plant(
         name="crane",
         title="Container crane",
         states=(State("position", "m", -25.0, "trolley"),),
         inputs=(Input("power", "kW", "drive"),),
-        outputs=(Output("distance", "m", "to the target"),),
+        outputs=tuple(Output(each, UNITS.get(each, "1"), "measured") for each in measured),
         parameters=(Parameter("load_mass", "t", 20.0, "container", "[A]"),),
     )
     path, parts = folder / "crane.py", {"dynamics": at_rest, "outputs": at_rest, **DEFAULTS}
@@ -242,15 +247,20 @@ def of_all_rules(found: Trace, block: Block) -> Trace:
 
 
 def run(folder: Path, variant: str = BASE, kind: str = "settles", **given) -> Run:
+    block = given.get("block") or crane()
     node = FuzzyNode(
         name="controller.rules",
-        block=given.get("block") or crane(),
-        inputs={},
-        units={"distance": "m", "angle": "deg", "power": "kW"},
+        block=block,
+        inputs={each: Wire(f"crane.{each}") for each in block.inputs},
+        units=UNITS,
     )
     diagram = Diagram(
         plant=PlantNode(
-            name="crane", model=plant(folder), parameters={"load_mass": 20.0}, start={"position": -25.0}
+            name="crane",
+            model=plant(folder, block),
+            parameters={"load_mass": 20.0},
+            start={"position": -25.0},
+            inputs={"power": Wire(f"controller.rules.{block.outputs[0]}")},
         ),
         nodes=(node,),
         timing=Timing(scan=SCAN, duration=DURATION),
@@ -267,6 +277,29 @@ def run(folder: Path, variant: str = BASE, kind: str = "settles", **given) -> Ru
     )
 
 
+def _setup(run: Run, file: Path) -> Setup:
+    nowhere = Span(Source("transfer.toml", ""), 0, 0)
+    return Setup(
+        variant=run.variant,
+        title=run.title,
+        description="",
+        timing=run.diagram.timing,
+        integration=Integration(),
+        plant=PlantSetup(
+            model=Entry("crane", nowhere, nowhere),
+            name="crane",
+            parameters={},
+            start={},
+            inputs={},
+            span=nowhere,
+        ),
+        controller=None,
+        blocks={},
+        rule_bases={"controller.rules": file},
+        tree=Entry({}, nowhere, nowhere),
+    )
+
+
 def outcome(folder: Path, *runs: Run, **given) -> Outcome:
     """Return an outcome of `runs`, whose files stand in `folder`."""
     files = []
@@ -278,14 +311,14 @@ def outcome(folder: Path, *runs: Run, **given) -> Outcome:
         path.write_text(text, encoding="utf-8")
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
         files.append(SourceFile(role=role, path=path, source=Source(name, text), digest=digest))
-    setup = SimpleNamespace(rule_bases={"controller.rules": folder / "crane.fcl"})
+    setups = {each.variant: _setup(each, folder / "crane.fcl") for each in runs}
     scenario = Scenario(
         path=folder / "transfer.toml",
         name=given.get("name", "crane/transfer"),
         title=given.get("title", "Container crane: 25 m transfer"),
         description=given.get("description", "The trolley carries the container.\n\nIt sets it down."),
         bench=folder,
-        variants={each.variant: setup for each in runs},
+        variants=setups,
         requirements=(),
         files=tuple(files),
         overrides=given.get("overrides", {}),

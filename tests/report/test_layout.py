@@ -27,7 +27,7 @@ def pages(outcomes, work) -> list[np.ndarray]:
     )
     (work / RESULTS).write_text(results.text(outcomes), encoding="utf-8")
     shelf.draw(work, lambda done, total: None)
-    template = typeset.files("fcl_sim.report").joinpath("report.typ").read_bytes()
+    template = typeset.template()
     drawn = typeset._compiler(work).compile(template, format="png", ppi=PPI)
     return [imread(io.BytesIO(page))[..., :3].mean(axis=2) for page in drawn]
 

@@ -38,10 +38,13 @@ def test_two_reports_from_the_same_inputs_are_the_same_bytes(small, tmp_path, mo
     assert written[0] == first / "report.pdf"
     assert sorted(str(each.relative_to(first)) for each in written) == sorted(everything(first))
     assert sorted(everything(first)) == [
+        "crane/transfer/base-controller.rules-activation.png",
         "crane/transfer/base-controller.rules.png",
         "crane/transfer/base-time.png",
+        "crane/transfer/wiring.png",
         "report.pdf",
         "results.json",
+        "results.npz",
         "rule-bases/crane-terms.png",
     ]
     assert everything(first) == everything(second)
@@ -51,7 +54,12 @@ def test_pictures_are_written_on_request_and_those_of_an_older_report_do_not_sta
     write(small, tmp_path / "reports", png=True)
     (tmp_path / "reports" / "crane" / "mine.png").write_text("mine")
     write(small, tmp_path / "reports")
-    assert sorted(everything(tmp_path / "reports")) == ["crane/mine.png", "report.pdf", "results.json"]
+    assert sorted(everything(tmp_path / "reports")) == [
+        "crane/mine.png",
+        "report.pdf",
+        "results.json",
+        "results.npz",
+    ]
 
 
 def test_what_is_done_is_told_in_its_order(small, tmp_path):

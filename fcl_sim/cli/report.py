@@ -1,0 +1,54 @@
+"""`fcl-sim report`: the pages of a run again, from what it has stored, or those of a rule base alone."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from fcl_sim.cli.benches import reports_folder
+from fcl_sim.cli.progress import progress
+from fcl_sim.cli.stopwatch import Stopwatch
+from fcl_sim.report import archive, writer
+from fcl_sim.report.provenance import date_asked
+from fcl_sim.scenario.document import shown
+
+RULE_BASE = ".fcl"
+
+
+@click.command()
+@click.argument("file", metavar="RESULTS.json|FILE.fcl", type=click.Path(path_type=Path))
+@click.argument("scenarios", metavar="[SCENARIO]...", nargs=-1)
+@click.option("--reports", type=click.Path(path_type=Path), metavar="DIR", help="Write the report there.")
+@click.option("--png", is_flag=True, help="Write the pictures of the report as PNG, too.")
+@click.option("--pages", is_flag=True, help="Write the pages of the report as PNG, too: pages/001.png ...")
+def command(file: Path, scenarios: tuple[str, ...], reports: Path | None, *, png: bool, pages: bool) -> None:
+    """Write the report of a run from what it has stored, or that of a rule base alone.
+
+    RESULTS.json is what `fcl-sim run` has written, with the runs beside it in RESULTS.npz; nothing is
+    simulated. The report is written into the same folder; that of some SCENARIOs alone, by their names,
+    into a folder in there. The report of FILE.fcl is FILE.pdf in reports/: terms, rules, characteristic,
+    findings.
+    """
+    watch = Stopwatch()
+    if file.suffix.lower() == RULE_BASE:
+        if scenarios:
+            raise click.UsageError("a rule base has no scenarios; name a RESULTS.json to choose some of its")
+        written = writer.write_alone(file, reports or reports_folder(), png=png, pages=pages)
+    else:
+        written = _of_results(file, scenarios, reports, watch, png=png, pages=pages)
+    click.echo(f"written: {shown(written[0])}")
+    click.echo(str(watch), err=True)
+
+
+def _of_results(
+    file: Path, scenarios: tuple[str, ...], reports: Path | None, watch: Stopwatch, **also: bool
+) -> list[Path]:
+    stored = archive.chosen(archive.read(file), scenarios)
+    asked = date_asked()
+    if asked is not None:
+        stored = replace(stored, origin=replace(stored.origin, date=asked))
+    watch.lap("reading")
+    part = ["-".join(map(writer.slug, scenarios))] if scenarios else []
+    folder = reports or file.parent.joinpath(*part)
+    with progress("writing reports") as advance:
+        return writer.write_stored(stored, folder, advance, lap=watch.lap, **also)

@@ -1,0 +1,224 @@
+"""Which rules fire when: a row for each rule, dark where it fires, a line where it dominates."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fcl_sim.loop.diagram import FuzzyNode
+from fcl_sim.loop.trace import FuzzyRecord, Values
+from fcl_sim.report import lettering, raster, style
+from fcl_sim.report.canvas import Axes, Figure, Image, Line, Text, joined, span
+from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
+from fcl_sim.report.pictures import Picture, numbered
+from fcl_sim.report.provenance import fuzzy_nodes
+from fcl_sim.report.stretches import stretches
+from fcl_sim.report.words import counted, number, one_line
+from fcl_sim.report.words import joined as listed
+from fcl_sim.testbench import Run
+from fcl_sim.verify.cover import dominant, rule_text
+
+LABELS, BAR, GAP = 62.0, 3.0, 3.0
+"""Width of the rules with their labels, of the scale and before it, in mm."""
+NUMBER = 12.0
+"""Width of a rule's label in mm, at most."""
+TOP = 1.5
+ROW = 3.2
+"""Height of a row in mm."""
+MOST_ROWS = 60
+"""Rows of a figure; a page takes no more."""
+COLUMNS = 420
+"""Stretches of time of a row: each narrower than the line of a dominant rule is wide."""
+LEAST_HEIGHT = 16.0
+"""Height in mm that the scale needs."""
+SHOWN = 5
+"""Rules that an alternative text names as those that dominate longest."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Firing:
+    """The rules of a block at n samples: labels, texts, degrees (n, rules), dominance (n, rules)."""
+
+    labels: tuple[str, ...]
+    texts: tuple[str, ...]
+    time: Values
+    degrees: Values
+    dominant: NDArray[np.bool_]
+
+    @property
+    def idle(self) -> NDArray[np.bool_]:
+        """The samples (n,) in which no rule fires."""
+        found: NDArray[np.bool_] = ~np.any(self.degrees > 0.0, axis=1)
+        return found
+
+    def rows(self, chosen: slice) -> "Firing":
+        """Return some of the rules alone."""
+        return Firing(
+            labels=self.labels[chosen],
+            texts=self.texts[chosen],
+            time=self.time,
+            degrees=self.degrees[:, chosen],
+            dominant=self.dominant[:, chosen],
+        )
+
+
+def over_time(run: Run) -> list[Picture]:
+    """Return for each fuzzy block of a run which of its rules fire when."""
+    return [each for node in fuzzy_nodes(run) for each in _pictures(run, node)]
+
+
+def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
+    record = run.trace.fuzzy[node.name]
+    if not len(run.trace.ticks) or not record.rule_labels:
+        return []
+    firing = firing_of(node, record, run.trace.time)
+    count = -(-len(firing.labels) // MOST_ROWS)
+    size = -(-len(firing.labels) // count)
+    caption = (
+        f"Run {one_line(run.variant)}: the rules of {one_line(node.block.name)} over time, darker the more "
+        "they fire; an orange line where a rule dominates."
+    )
+    if firing.idle.any():
+        caption += " Hatched: no rule fires."
+    return [
+        Picture(
+            name=numbered(f"{run.variant}-{node.name}-activation", page, count),
+            caption=caption,
+            alt=alt(firing),
+            draw=partial(draw, firing.rows(slice(page * size, (page + 1) * size)), idle=firing.idle),
+        )
+        for page in range(count)
+    ]
+
+
+def firing_of(node: FuzzyNode, record: FuzzyRecord, time: Values) -> Firing:
+    """Return which rules of a block fire when."""
+    block = node.block.function_block
+    rules = [rule for each in block.rule_blocks for rule in each.rules]
+    return Firing(
+        labels=record.rule_labels,
+        texts=tuple(rule_text(each) for each in rules),
+        time=time,
+        degrees=record.degrees,
+        dominant=dominant(block, record),
+    )
+
+
+def draw(firing: Firing, idle: NDArray[np.bool_]) -> Figure:
+    """Return the rows of some rules; `idle` (n,) is where no rule of the block fires."""
+    rows = len(firing.labels)
+    height = max(ROW * rows, LEAST_HEIGHT)
+    levels = ticks(0.0, 1.0, 4)
+    bar = GAP + BAR + room_left(levels, "degree [1]")
+    figure = Figure(TOP + height + room_below("time [s]"))
+    axes = figure.place(LABELS, TOP, style.WIDTH - LABELS - bar, height, "activation")
+    begin, end = float(firing.time[0]), float(firing.time[-1])
+    axes.x, axes.y = (begin, end if end > begin else begin + 1.0), (float(rows), 0.0)
+    edges = np.linspace(*axes.x, COLUMNS + 1)
+    _draw_degrees(axes, firing, edges)
+    _draw_dominant(axes, firing, edges)
+    for start, stop in stretches(idle):
+        across = (float(firing.time[start]), float(firing.time[min(stop, len(idle) - 1)]))
+        axes.add(span(axes, across, style.UNDEFINED, hatched=True, z=1.5))
+    draw_frame(axes, ticks(*axes.x, 9), (), ("time [s]", ""), grid=False)
+    _draw_texts(axes, firing)
+    scale = figure.place(style.WIDTH - bar + GAP, TOP, BAR, height, "scale")
+    scale.add(Image((0.0, 1.0), (0.0, 1.0), raster.scale((1, raster.SHADES), style.FIRING), z=1))
+    draw_scale(scale, levels, "degree [1]")
+    return figure
+
+
+def _draw_degrees(axes: Axes, firing: Firing, edges: Values) -> None:
+    """Colour each stretch of a row by the largest degree in it; where a rule does not fire is paper."""
+    values = _largest(firing.time, firing.degrees, edges)
+    values = np.where(values > 0.0, values, np.nan)[::-1]
+    rows = np.arange(len(firing.labels) + 1, dtype=np.float64)
+    size = (len(edges) - 1, len(firing.labels))
+    png = raster.cells(edges, rows, values, (0.0, 1.0), size, style.FIRING)
+    axes.add(Image(axes.x, (float(len(firing.labels)), 0.0), png, z=1))
+    lines = [np.array([(0.0, row / len(firing.labels)), (1.0, row / len(firing.labels))]) for row in rows]
+    axes.add(Line(*joined(lines), style.GRID, 0.4, flat=True, z=2, parts=True))
+
+
+def _largest(time: Values, values: Values, edges: Values) -> Values:
+    """Return the largest of values (n, rows) in each stretch between edges, as (rows, stretches).
+
+    A stretch without a sample has what was last before it, as the scans hold it.
+    """
+    starts = np.clip(np.searchsorted(time, edges[:-1], side="left"), 0, len(time) - 1)
+    found = np.maximum.reduceat(values, starts, axis=0)
+    held = np.clip(np.searchsorted(time, edges[:-1], side="right") - 1, 0, len(time) - 1)
+    empty = np.concatenate([starts[1:], [len(time)]]) <= starts
+    result: Values = np.where(empty[:, None], values[held], np.maximum(found, values[held])).T
+    return result
+
+
+def _draw_dominant(axes: Axes, firing: Firing, edges: Values) -> None:
+    """Draw a line in the row of a rule over the stretches in which it dominates at any scan."""
+    flags = _largest(firing.time, firing.dominant.astype(np.float64), edges) > 0.0
+    pieces = [
+        np.array([(edges[start], row + 0.5), (edges[stop], row + 0.5)])
+        for row, own in enumerate(flags)
+        for start, stop in stretches(own)
+    ]
+    if pieces:
+        line = Line(*joined(pieces), style.VIOLATION_EDGE, 1.3, flat=True, halo=1.0, z=4, label="dominant")
+        axes.add(line)
+
+
+def _draw_texts(axes: Axes, firing: Firing) -> None:
+    names = [lettering.cut(one_line(each), NUMBER / style.HINTED, SIZE) for each in firing.labels]
+    indent = 1.5 + style.HINTED * max(lettering.text_width(each, SIZE, bold=True) for each in names)
+    for row, (name, text) in enumerate(zip(names, firing.texts, strict=True)):
+        fired = bool((firing.degrees[:, row] > 0.0).any())
+        colour = style.INK if fired else style.FAINT
+        y = 1.0 - (row + 0.5) / len(names)
+        short = lettering.cut(brief(text), (LABELS - indent - 1.5) / style.HINTED, SIZE)
+        left = -LABELS / axes.width
+        axes.add(Text(left, y, name, SIZE, colour, up="center", parts=True, bold=fired))
+        axes.add(Text(left + indent / axes.width, y, short, SIZE, colour, up="center", parts=True))
+
+
+SIZE = 5.8
+"""Of the rules' texts in points; a row is no higher."""
+
+
+def brief(text: str) -> str:
+    """Return a rule without the words that every rule has: `distance far, angle zero: power pos_high`."""
+    short = one_line(text).removeprefix("IF ").replace(" IS ", " ").replace(" THEN ", ": ")
+    return short.replace(" AND ", ", ")
+
+
+def alt(firing: Firing) -> str:
+    """Return how long the rules fire and dominate, in words."""
+    count = len(firing.time)
+    fired = (firing.degrees > 0.0).sum(axis=0)
+    led = firing.dominant.sum(axis=0)
+    order = sorted(range(len(firing.labels)), key=lambda rule: -int(led[rule]))
+    told = [_share(firing.labels[rule], int(led[rule]), count) for rule in order[:SHOWN] if led[rule]]
+    never = [one_line(firing.labels[rule]) for rule in range(len(firing.labels)) if not fired[rule]]
+    begin, end = (number(float(firing.time[at])) for at in (0, -1))
+    rules, samples = counted(len(firing.labels), "rule"), counted(count, "sample")
+    parts = [f"Degrees of {rules} from {begin} s to {end} s, in {samples}."]
+    if told:
+        parts.append(f"Longest dominant: {listed(told)}.")
+    if never:
+        parts.append(f"Rules that never fire: {listed(never)}.")
+    idle = int(firing.idle.sum())
+    parts.append(f"No rule fires in {number(100.0 * idle / count, 3)} % of the samples." if idle else "")
+    return " ".join(each for each in parts if each)
+
+
+def _share(label: str, led: int, count: int) -> str:
+    return f"rule {one_line(label)} in {number(100.0 * led / count, 3)} % of the samples"
+
+
+def first_users(runs: Sequence[Run]) -> list[Run]:
+    """Return of each rule base the first run that uses it."""
+    found: dict[tuple[str, int], Run] = {}
+    for run in runs:
+        for node in fuzzy_nodes(run):
+            found.setdefault((node.name, hash(node.block.function_block)), run)
+    return list({id(run): run for run in found.values()}.values())

@@ -1,0 +1,63 @@
+"""Which rules fire when: no firing is lost in the picture, whoever dominates has a line, texts are told."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fcl_sim.report import activation
+from fcl_sim.report.canvas import Image, Line, Shape
+from tests.report.synthetic import crane, of_all_rules, run, trace
+
+
+@pytest.fixture
+def firing(tmp_path):
+    """Return a run in which rule 3 never fires, rule 1 leads at first and nothing fires at last."""
+    made = run(tmp_path)
+    node, found = made.diagram.nodes[0], of_all_rules(trace(), crane())
+    record = found.fuzzy["controller.rules"]
+    record.degrees[:] = 0.2
+    record.degrees[:10, 0] = 0.9
+    record.degrees[:, 2] = 0.0
+    record.degrees[100:] = 0.0
+    return activation.firing_of(node, record, found.time)
+
+
+def test_the_rules_have_their_labels_and_texts(firing):
+    assert firing.labels == ("1", "2", "3", "4", "5", "6")
+    assert firing.texts[0] == "IF distance IS far AND angle IS zero THEN power IS pos_medium"
+    assert activation.brief(firing.texts[0]) == "distance far, angle zero: power pos_medium"
+
+
+def test_a_line_stands_where_a_rule_dominates_and_hatching_where_none_fires(firing):
+    (axes, _) = activation.draw(firing, firing.idle).axes
+    (line,) = axes.of(Line, "dominant")
+    (hatched,) = [each for each in axes.of(Shape) if each.hatched]
+    first = np.array(line.x)[np.array(line.y) == 0.5]
+    assert first.min() == 0.0
+    assert np.nanmin(hatched.x) == pytest.approx(50.0, abs=0.5)
+    assert not (np.array(line.y) == 2.5).any()
+    assert len(axes.of(Image)) == 1
+
+
+def test_it_is_told_in_words(firing):
+    told = activation.alt(firing)
+    assert "Degrees of 6 rules from 0 s to 60 s, in 121 samples." in told
+    assert "Rules that never fire: 3." in told
+    assert "No rule fires in 17.4 % of the samples." in told
+
+
+@settings(max_examples=50)
+@given(st.lists(st.floats(0.0, 1.0), min_size=2, max_size=60), st.integers(1, 80))
+def test_the_largest_degree_is_in_the_picture_however_coarse(degrees, count):
+    time = np.arange(len(degrees), dtype=float)
+    edges = np.linspace(0.0, time[-1] + 1.0, count + 1)
+    found = activation._largest(time, np.array(degrees)[:, None], edges)
+    assert found.shape == (1, count)
+    assert found.max() == max(degrees)
+    assert set(found.ravel()) <= set(degrees)
+
+
+def test_each_rule_base_is_shown_by_the_first_run_that_uses_it(tmp_path):
+    first, second = run(tmp_path), run(tmp_path, "again")
+    assert activation.first_users([first, second]) == [first]
