@@ -4,8 +4,10 @@ Each habit of another engine that the model can say is said in it, and the two
 laws are compared (proof.apart).
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import product
+from math import ceil, floor, log10
 
 from fcl_sim.block import Block
 from fcl_sim.diagnostics import Span
@@ -22,7 +24,7 @@ from fcl_sim.model import (
     RuleBlock,
 )
 from fcl_sim.proof.apart import Apart, apart
-from fcl_sim.proof.universe import Universe
+from fcl_sim.proof.universe import Stretch, Universe
 
 PAIRS = {
     OrOperator.MAX: AndOperator.MIN,
@@ -30,6 +32,11 @@ PAIRS = {
     OrOperator.BSUM: AndOperator.BDIF,
 }
 """The AND that belongs to each OR (Table 3)."""
+
+DIGITS = 7
+"""Significant digits of a witness at which one is told as it was found."""
+MOST = 0.95
+"""The part of the largest difference that a witness of fewer digits shows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,10 +52,13 @@ class Habit:
 
 @dataclass(frozen=True, slots=True)
 class Otherwise:
-    """A habit that changes an output, and by how much."""
+    """A habit that changes an output: it is `ours` at a point `at`, and by the habit `theirs`."""
 
     habit: Habit
-    apart: Apart
+    output: str
+    at: Mapping[str, float]
+    ours: float
+    theirs: float
 
 
 def otherwise(block: FunctionBlock, universe: Universe) -> Iterator[Otherwise]:
@@ -62,8 +72,41 @@ def otherwise(block: FunctionBlock, universe: Universe) -> Iterator[Otherwise]:
         differences = apart(ours, theirs, universe, coarse=True)
         found = [(each, each.largest.reached) for each in differences if each.largest]
         worst, most = max(found, key=lambda each: each[1], default=(None, 0.0))
-        if worst is not None and most > worst.threshold:
-            yield Otherwise(habit, worst)
+        if worst is not None and worst.largest is not None and most > worst.threshold:
+            yield _shown(habit, (ours, theirs), worst, _near(worst.largest.at, universe))
+
+
+def _shown(
+    habit: Habit, blocks: tuple[Block, Block], worst: Apart, points: Iterable[Mapping[str, float]]
+) -> Otherwise:
+    """Return a habit with the first point that shows most of the difference."""
+    found = Otherwise(habit, worst.output, {}, worst.old, worst.new)
+    for at in points:
+        ours, theirs = (float(each.evaluate(at)[worst.output]) for each in blocks)
+        found = Otherwise(habit, worst.output, at, ours, theirs)
+        if abs(theirs - ours) >= MOST * abs(worst.new - worst.old):
+            break
+    return found
+
+
+def _near(at: Mapping[str, float], universe: Universe) -> Iterator[Mapping[str, float]]:
+    """Yield points of few digits around one, those of the fewest first, and at last the point itself."""
+    for digits in range(1, DIGITS):
+        for values in product(*(_rounded(each, digits) for each in at.values())):
+            point = dict(zip(at, values, strict=True))
+            if all(_is_within(value, universe.of(name)) for name, value in point.items()):
+                yield point
+    yield at
+
+
+def _is_within(value: float, stretch: Stretch | None) -> bool:
+    return stretch is None or stretch[0] <= value <= stretch[1]
+
+
+def _rounded(value: float, digits: int) -> Iterable[float]:
+    """Return a number with so many significant digits, downwards and upwards."""
+    step = 10.0 ** (floor(log10(abs(value))) + 1 - digits) if value else 1.0
+    return dict.fromkeys(float(f"{end(value / step) * step:.{digits + 1}g}") for end in (floor, ceil))
 
 
 def _habits(block: FunctionBlock) -> Iterator[Habit]:
