@@ -18,7 +18,7 @@ fuzz_stamp := $(venv)/fuzz.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench gate speed prove docs fuzz images lock clean
+.PHONY: help run test lint smoke bench gate speed prove mutants docs fuzz images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -63,6 +63,9 @@ speed: $(test_stamp) ## the same, and write it to docs/speed.md
 
 prove: $(test_stamp) ## compare BASES=100000 random rule bases with the oracle (an hour)
 	@$(python) -m tests.engine.prove $(BASES)
+
+mutants: $(test_stamp) ## tell which mutants of the shipped rule bases check and diff see (a quarter of an hour)
+	@$(python) -m tests.proof.mutants
 
 docs: $(run_stamp) ## write the pages of docs/ that are generated
 	@$(python) -m docs

@@ -1,7 +1,8 @@
 """`fcl-sim diff`: how far two rule bases are apart."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -11,9 +12,11 @@ import click
 from fcl_sim.block import Block, load
 from fcl_sim.cli.doors import Exit
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.proof.apart import Apart, apart
+from fcl_sim.proof.apart import Apart, ChangedRule, apart
 from fcl_sim.proof.told_law import extreme_json
 from fcl_sim.proof.universe import UniverseError, universe_of
+from fcl_sim.report.baselines import edited
+from fcl_sim.verify.edits import SETTING, TERM, Edit, edits
 
 SCHEMA = 1
 
@@ -52,11 +55,14 @@ def command(
         raise click.UsageError(str(error)) from None
     found = apart(*blocks, universe, delta)
     if as_json:
-        click.echo(json.dumps(document(found, old, new, delta), indent=2, ensure_ascii=False))
+        click.echo(json.dumps(document(found, old, new, delta, _edits(blocks)), indent=2, ensure_ascii=False))
     else:
         for each in found:
             for line in _lines(each):
                 click.echo(line)
+        if any(each.largest is None or each.largest.bound > 0.0 for each in found):
+            for edit in _edits(blocks):
+                click.echo(f"edited: {edited(edit)}")
     return Exit.VERDICT if any(each.differs for each in found) else Exit.GREEN
 
 
@@ -72,6 +78,12 @@ def _same_names(old: Block, new: Block) -> None:
         raise click.UsageError(f"the inputs are not the same: {', '.join(told)}")
 
 
+def _edits(blocks: tuple[Block, Block]) -> Sequence[Edit]:
+    """Return the terms and settings that are not the same; rules are told where they count."""
+    old, new = (each.function_block for each in blocks)
+    return [each for each in edits(old, new) if each.kind in {TERM, SETTING}]
+
+
 def _lines(found: Apart) -> Iterator[str]:
     most = found.largest
     if most is None:
@@ -81,12 +93,26 @@ def _lines(found: Apart) -> Iterator[str]:
         yield f"{found.output}: the same everywhere"
         return
     beyond = "" if most.is_exact else f", nowhere by more than {_number(most.bound)}"
-    at = " ".join(f"{name}={_number(value)}" for name, value in most.at.items())
+    shown = found.shown
+    at = " ".join(f"{name}={_number(value)}" for name, value in shown.at.items())
     yield f"{found.output}: differs by up to {_number(most.reached)}{beyond}"
-    yield f"  there {_number(found.old)} became {_number(found.new)}: {at}"
+    yield f"  there {_number(shown.old)} became {_number(shown.new)}: {at}"
     yield f"  by more than {_number(found.threshold)} on {_share(found)}"
-    for rule in found.rules:
-        yield f"  {rule.side} rule {rule.label}, degree {_number(rule.degree)}: {rule.text}"
+    yield from _rules(found.rules)
+
+
+def _rules(rules: Sequence[ChangedRule]) -> Iterator[str]:
+    """Yield a line for each rule; one that is in both, with the same words, has one for both."""
+    same = {(each.label, each.text) for each in rules if each.side == "old"}
+    same &= {(each.label, each.text) for each in rules if each.side == "new"}
+    degrees = {(each.side, each.label): _number(each.degree) for each in rules}
+    for each in rules:
+        if (each.label, each.text) not in same:
+            yield f"  {each.side} rule {each.label}, degree {_number(each.degree)}: {each.text}"
+        elif each.side == "old":
+            old, new = (degrees[side, each.label] for side in ("old", "new"))
+            degree = old if old == new else f"{old}, now {new}"
+            yield f"  rule {each.label}, degree {degree}: {each.text}"
 
 
 def _share(found: Apart) -> str:
@@ -99,7 +125,9 @@ def _number(value: float) -> str:
     return f"{value + 0.0:.6g}"
 
 
-def document(found: tuple[Apart, ...], old: Path, new: Path, delta: float | None) -> Mapping[str, Any]:
+def document(
+    found: tuple[Apart, ...], old: Path, new: Path, delta: float | None, changed: Sequence[Edit]
+) -> Mapping[str, Any]:
     """Return differences as JSON's types."""
     return {
         "schema": SCHEMA,
@@ -114,6 +142,13 @@ def document(found: tuple[Apart, ...], old: Path, new: Path, delta: float | None
                 "largest": extreme_json(each.largest),
                 "old": each.old if isfinite(each.old) else None,
                 "new": each.new if isfinite(each.new) else None,
+                "shown": {
+                    "inputs": dict(each.shown.at),
+                    "old": each.shown.old if isfinite(each.shown.old) else None,
+                    "new": each.shown.new if isfinite(each.shown.new) else None,
+                }
+                if each.largest
+                else None,
                 "share_at_least": each.share_at_least,
                 "share_at_most": each.share_at_most,
                 "rules": [
@@ -123,4 +158,5 @@ def document(found: tuple[Apart, ...], old: Path, new: Path, delta: float | None
             }
             for each in found
         ],
+        "edits": [asdict(each) for each in changed],
     }

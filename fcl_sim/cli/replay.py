@@ -10,11 +10,12 @@ from typing import Any
 import click
 import numpy as np
 
-from fcl_sim.block import ARITHMETICS, load
+from fcl_sim.block import ARITHMETICS, Block, load
 from fcl_sim.cli.doors import Exit
 from fcl_sim.judge.wording import number, seconds
 from fcl_sim.loop import trace_file
 from fcl_sim.loop.trace_reader import read
+from fcl_sim.proof.told_gaps import instead
 from fcl_sim.report.words import counted
 from fcl_sim.verify.replay import Comparison, Deviation, Replay, replay
 
@@ -85,19 +86,20 @@ def command(  # noqa: PLR0913  an option each
         name=log.as_posix(),
     )
     if write is not None:
+        write.parent.mkdir(parents=True, exist_ok=True)
         trace_file.write(found.trace, write)
         click.echo(f"written: {write}", err=True)
     if as_json:
         click.echo(json.dumps(document(found, file, log), indent=1, ensure_ascii=False))
     elif found.comparisons:
-        for line in _lines(found):
+        for line in _lines(found, loaded):
             click.echo(line)
     elif write is None:
         _print_outputs(found)
     return Exit.GREEN if found.first is None else Exit.VERDICT
 
 
-def _lines(found: Replay) -> list[str]:
+def _lines(found: Replay, block: Block) -> list[str]:
     head = f"{found.name} in {found.arithmetic}: {counted(len(found.ticks), 'sample')}"
     lines = [head, *(_line(each) for each in found.comparisons)]
     first = found.first
@@ -112,9 +114,15 @@ def _lines(found: Replay) -> list[str]:
         told = ", ".join(f"{term} {number(degree)}" for term, degree in terms.items())
         lines.append(f"  {variable}: {told}")
     lines += [f"  {number(each.degree):>7}  rule {each.label}: {each.text}" for each in found.rules]
-    if not found.rules:
-        lines.append("  no rule fires")
+    if not record.active[at.sample - 1, record.output_names.index(first.variable)]:
+        lines.append(f"  no rule is active for {first.variable}: {_instead(block, first.variable)}")
     return lines
+
+
+def _instead(block: Block, output: str) -> str:
+    """Return what is given out for an output without an active rule."""
+    own = [each for each in block.function_block.defuzzifications if each.variable == output]
+    return instead(own[0]) if own else "0 is given out"
 
 
 def _line(each: Comparison) -> str:

@@ -45,5 +45,6 @@ def command(
     except UniverseError as error:
         raise click.UsageError(str(error)) from None
     found = vectors(loaded, universe, prove(loaded.function_block, universe), arithmetic or "", most)
+    out.parent.mkdir(parents=True, exist_ok=True)
     trace_file.write(found, out)
     click.echo(f"written: {out}, {counted(len(found.ticks), 'vector')}", err=True)

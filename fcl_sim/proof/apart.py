@@ -7,20 +7,19 @@ two rule bases that differ in a corner are compared in that corner.
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from fcl_sim.block import Block
-from fcl_sim.engine.switches import switched
-from fcl_sim.fcl.write_rules import conclusion, condition_text
-from fcl_sim.model import Degree, FunctionBlock, Is, Rule
+from fcl_sim.model import FunctionBlock, Rule
 from fcl_sim.model.labels import unique_labels
 from fcl_sim.proof.axes import Axis
-from fcl_sim.proof.cubes import leaves
+from fcl_sim.proof.changed import changed_terms, concludes, frame_of, rule_keys, rule_text, surplus
 from fcl_sim.proof.degrees import Boxes, NotEnclosed
 from fcl_sim.proof.enclosure import Enclosure, Law, average
+from fcl_sim.proof.few_digits import points_near
 from fcl_sim.proof.law import Extreme, cells_of
 from fcl_sim.proof.search import AT_ONCE, STEPS, halved, largest
 from fcl_sim.proof.space import axes_of
@@ -34,6 +33,8 @@ COARSE, COARSE_STEPS = 1e-2, 16
 """That part where only what matters is looked for, and the times that boxes are halved for it."""
 SHARE_STEPS = 12
 """Times that boxes are halved to tell a share."""
+MOST = 0.99
+"""The part of the largest difference that a point of few digits shows."""
 PART = 0.01
 """The part of an output's reach by which two laws may differ, where nothing is said."""
 
@@ -54,8 +55,20 @@ OF_AREAS = Effort(1e-3, 30, 256, boxes=1_000)
 
 
 @dataclass(frozen=True, slots=True)
+class Shown:
+    """A point of few digits at which most of the largest difference is to be seen: `old` became `new`."""
+
+    at: Mapping[str, float] = field(default_factory=dict)
+    old: float = 0.0
+    new: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class ChangedRule:
-    """A rule that is not the same in both: `side` is `old` or `new`; `degree` is that at the place."""
+    """A rule that is not the same in both, or concludes a term that is not.
+
+    `side` is `old` or `new`; `degree` is that at the place.
+    """
 
     side: str
     label: str
@@ -76,6 +89,7 @@ class Apart:
     largest: Extreme | None = None
     old: float = 0.0
     new: float = 0.0
+    shown: Shown = Shown()
     share_at_least: float = 0.0
     share_at_most: float = 0.0
     rules: tuple[ChangedRule, ...] = ()
@@ -114,12 +128,18 @@ def apart(
 class _Comparer:
     def __init__(self, old: Block, new: Block, output: str, universe: Universe) -> None:
         self._blocks = (old, new)
-        self._output = output
+        self._output, self._universe = output, universe
         self._names = old.inputs
         self._enclosures = tuple(Enclosure(each.function_block, output) for each in self._blocks)
         self._orders = tuple(self._order(each) for each in self._blocks)
         self._has_areas = not all(each.follows_slopes for each in self._enclosures)
-        self._changed = _changed(old.function_block, new.function_block, output)
+        self._surplus = surplus(old.function_block, new.function_block, output)
+        self._changed = (
+            self._surplus
+            if frame_of(old.function_block, output) == frame_of(new.function_block, output)
+            else None
+        )
+        self._terms = changed_terms([each.function_block for each in self._blocks], output)
         self._moved = self._moves(old.function_block, new.function_block, output)
         self._cells = cells_of(self._names, _joined(self._names, self._blocks, universe))
 
@@ -130,8 +150,8 @@ class _Comparer:
 
     def _moves(self, old: FunctionBlock, new: FunctionBlock, output: str) -> Mapping[str, float] | None:
         """Return how far each singleton has moved, if nothing but that is different; else None."""
-        frames = [_frame(each, output, places=False) for each in (old, new)]
-        keys = [Counter(key for _, key in _keys(each, output)) for each in (old, new)]
+        frames = [frame_of(each, output, places=False) for each in (old, new)]
+        keys = [Counter(key for _, key in rule_keys(each, output)) for each in (old, new)]
         places = [each.places for each in self._enclosures]
         if frames[0] != frames[1] or keys[0] != keys[1] or places[0].keys() != places[1].keys():
             return None
@@ -165,10 +185,23 @@ class _Comparer:
             largest=Extreme(found.reached, bound, at, exact),
             old=float(before[0]),
             new=float(after[0]),
+            shown=self._shown(found.at, found.reached),
             share_at_least=least,
             share_at_most=most,
             rules=tuple(self._responsible(found.at)) if found.reached > 0.0 else (),
         )
+
+    def _shown(self, at: Values, reached: float) -> Shown:
+        """Return the first point of few digits that shows most of what was reached."""
+        found = Shown()
+        reach = (self._cells.high.max(axis=0) - self._cells.low.min(axis=0)).tolist()
+        place, reaches = (dict(zip(self._names, each, strict=True)) for each in (at.tolist(), reach))
+        for point in points_near(place, reaches, self._universe):
+            old, new, difference = self._value(np.array([[point[name] for name in self._names]]))
+            found = Shown(point, float(old[0]), float(new[0]))
+            if difference[0] >= MOST * reached:
+                break
+        return found
 
     def _boxes(self, side: int, boxes: Boxes) -> Boxes:
         order = self._orders[side]
@@ -239,13 +272,19 @@ class _Comparer:
         for side, word in enumerate(("old", "new")):
             block = self._blocks[side].function_block
             labels = unique_labels(block)
-            changed = range(len(labels)) if self._changed is None else self._changed[side]
             rules = self._enclosures[side].rules(self._boxes(side, point))
-            for place in changed:
-                rule, span = rules[place]
-                if span.high[0] > 0.0 and _concludes(rule, self._output):
-                    found.append(ChangedRule(word, labels[place], _text(rule), float(span.high[0])))
+            for place, (rule, span) in enumerate(rules):
+                is_changed = place in self._surplus[side] or self._concludes_changed(rule)
+                if is_changed and span.high[0] > 0.0 and concludes(rule, self._output):
+                    found.append(ChangedRule(word, labels[place], rule_text(rule), float(span.high[0])))
         return found
+
+    def _concludes_changed(self, rule: Rule) -> bool:
+        return any(
+            each.variable.casefold() == self._output.casefold()
+            and (each.term or "").casefold() in self._terms
+            for each in rule.conclusions
+        )
 
 
 def _volumes(boxes: Boxes, moving: Sequence[int]) -> Values:
@@ -277,60 +316,3 @@ def _joined(names: Sequence[str], blocks: Sequence[Block], universe: Universe) -
             own = next(name for name in names if name.casefold() == axis.variable.casefold())
             found[own] = axis
     return found
-
-
-def _changed(old: FunctionBlock, new: FunctionBlock, output: str) -> tuple[list[int], list[int]] | None:
-    """Return the rules on an output, by place, that the other block lacks; None where all may differ."""
-    if _frame(old, output) != _frame(new, output):
-        return None
-    keys = [_keys(each, output) for each in (old, new)]
-    counts = [Counter(key for _, key in each) for each in keys]
-    found: list[list[int]] = []
-    for own, (mine, others) in zip(keys, (counts, counts[::-1]), strict=True):
-        surplus = mine - others
-        found.append([])
-        for place, key in own:
-            if surplus[key] > 0:
-                surplus[key] -= 1
-                found[-1].append(place)
-    return found[0], found[1]
-
-
-def _frame(block: FunctionBlock, output: str, *, places: bool = True) -> object:
-    """Return what all rules on an output depend on: its method and, with `places`, its terms."""
-    own = next(each for each in block.defuzzifications if each.variable.casefold() == output.casefold())
-    accumulations = {each.accumulation for each in block.rule_blocks}
-    terms = {each.name.casefold(): each.shape for each in own.terms}
-    choices = (own.method, repr(own.default), own.range, own.accumulation, own.held, own.clamped)
-    return (*choices, accumulations, repr(sorted(terms.items())) if places else "")
-
-
-def _keys(block: FunctionBlock, output: str) -> list[tuple[int, object]]:
-    """Return for each rule on an output its place, and everything that its share depends on."""
-    terms = {
-        (each.variable.casefold(), term.name.casefold()): repr(term.shape)
-        for each in switched(block).fuzzifications
-        for term in each.terms
-    }
-    found: list[tuple[int, object]] = []
-    place = 0
-    for rule_block in switched(block).rule_blocks:
-        for rule in rule_block.rules:
-            if _concludes(rule, output):
-                asked = sorted(repr(terms.get(_key(each))) for each in leaves(rule.condition))
-                operators = (rule_block.and_operator, rule_block.or_operator, rule_block.activation)
-                found.append((place, (_text(rule).casefold(), tuple(asked), operators)))
-            place += 1
-    return found
-
-
-def _key(ask: Is | Degree) -> tuple[str, str]:
-    return ask.variable.casefold(), ask.term.casefold() if isinstance(ask, Is) else ""
-
-
-def _concludes(rule: Rule, output: str) -> bool:
-    return any(each.variable.casefold() == output.casefold() for each in rule.conclusions)
-
-
-def _text(rule: Rule) -> str:
-    return f"IF {condition_text(rule.condition)} THEN {', '.join(map(conclusion, rule.conclusions))}"

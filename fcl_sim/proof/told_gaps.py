@@ -28,7 +28,7 @@ def told_gaps(
     output = _output(block, proved)
     name = proved.output
     if proved.gap is not None:
-        message = f"`{name}` is undefined ({_instead(output)}){_where(proved, proved.gap, universe)}"
+        message = f"`{name}` is undefined ({instead(output)}){_where(proved, proved.gap, universe)}"
         causes = list(_causes(block, proved.gap, universe, bare))
         yield _gap(block, proved, proved.gap, message, causes)
     if proved.weak is not None:
@@ -115,7 +115,7 @@ def _where(proved: Completeness, gap: Gap, universe: Universe) -> str:
     return f" in {least}{percent(gap.share)} of the universe: {where}"
 
 
-def _instead(output: Defuzzification) -> str:
+def instead(output: Defuzzification) -> str:
     """Return what is given out where no rule is active (S30)."""
     if output.held:
         return "it keeps its value"

@@ -76,7 +76,7 @@ def cause_lines(cause: Cause) -> Iterator[str]:
     """Yield why a run left its baseline: what was edited, and the first scan at which it told."""
     for old, new in cause.setting:
         yield f"changed: {_from_to(old, new)}"
-    edited = [f"edited in {one_line(block)}: {_edit(edit)}" for block, edit in cause.edits]
+    edited = [f"edited in {one_line(block)}: {edited(edit)}" for block, edit in cause.edits]
     yield from _some(edited, "edits")
     if cause.divergence is not None:
         yield from _divergence(cause.divergence)
@@ -93,7 +93,8 @@ def cause_lines(cause: Cause) -> Iterator[str]:
         )
 
 
-def _edit(edit: Edit) -> str:
+def edited(edit: Edit) -> str:
+    """Return an edit in words."""
     where = {"term": f"{edit.owner}, ", "setting": f"{edit.owner}, "}.get(edit.kind, "")
     return where + _from_to(edit.old, edit.new)
 

@@ -14,6 +14,7 @@ from fcl_sim.report.schema_parts import (
     table,
     text,
 )
+from fcl_sim.verify.edits import SETTING, TERM
 
 SURE = ["exact", "sampled"]
 
@@ -33,6 +34,7 @@ def _difference() -> Schema:
             "from which difference on an output counts as different; null for a part of its range"
         ),
         outputs=list_of("their common outputs", "output_difference"),
+        edits=list_of("terms and settings that are not the same", "edit_of_a_rule_base"),
     )
 
 
@@ -45,9 +47,30 @@ def _output_difference() -> Schema:
         largest=or_null(referring("extreme", "the largest difference")),
         old=figure("the old value there"),
         new=figure("the new value there"),
+        shown=or_null(referring("shown_difference", "where most of it shows, in few digits")),
         share_at_least=figure("the part of the universe in which they surely differ by more"),
         share_at_most=figure("the part in which they possibly do"),
         rules=list_of("the rules that fire there, and are not the same in both", "changed_rule"),
+    )
+
+
+def _shown_difference() -> Schema:
+    return table(
+        "A point at which two laws differ",
+        inputs=by_name("inputs by name", {"type": "number"}),
+        old=figure("the old value there"),
+        new=figure("the new value there"),
+    )
+
+
+def _edit() -> Schema:
+    return table(
+        "A part of a rule base that is not the same",
+        kind={"enum": [TERM, SETTING], "description": "what it is"},
+        owner=text("its variable or rule block"),
+        name=text("the term, or the keyword of the setting"),
+        old=text("as it was; empty where it was not there"),
+        new=text("as it is; empty where it is gone"),
     )
 
 
@@ -66,6 +89,8 @@ def definitions() -> Schema:
     return {
         "output_difference": _output_difference(),
         "changed_rule": _changed_rule(),
+        "shown_difference": _shown_difference(),
+        "edit_of_a_rule_base": _edit(),
         "proof": _proof(),
         "interval": _interval(),
         "law": _law(),

@@ -157,8 +157,8 @@ def test_a_gap_is_told_with_its_share_its_place_and_what_to_do(invoke, gaps):
         "on edges without area: temp from 27 to 30 degC and level = 0\n"
         "  22 | DEFUZZIFY valve\n"
         "     |           ^^^^^\n"
-        "  hint: a rule for `temp IS hot AND level IS low` would help; nearest to firing: rule 1 lacks "
-        "`temp IS cold`, rule 3 lacks `level IS high`; see `fcl-sim eval gaps.fcl --exact temp=28 level=0`\n"
+        "  hint: a rule for `temp IS hot AND level IS low` would help; nearest to firing: rule 3 lacks "
+        "`level IS high`, rule 1 lacks `temp IS cold`; see `fcl-sim eval gaps.fcl --exact temp=28 level=0`\n"
         "gaps.fcl: 1 warning (fcl-sim explain FCL601 tells more)\n"
     )
 

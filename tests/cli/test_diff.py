@@ -45,6 +45,46 @@ def test_a_difference_is_told_with_its_place_and_the_rules(invoke, folder):
     ]
 
 
+def test_what_is_edited_besides_rules_is_told_and_an_output_that_keeps_its_law_is_the_same(invoke, folder):
+    more = OLD.replace("valve: REAL;", "valve: REAL; lamp: REAL;")
+    more = more.replace(
+        "RULEBLOCK No1",
+        "DEFUZZIFY lamp TERM on := 1; METHOD: CoGS; DEFAULT := 0; END_DEFUZZIFY\nRULEBLOCK No1",
+    )
+    more = more.replace("valve IS inlet;", "valve IS inlet, lamp IS on;")
+    (folder / "old.fcl").write_text(more)
+    (folder / "new.fcl").write_text(
+        more.replace("inlet, lamp", "drain, lamp").replace("TERM inlet := 100", "TERM inlet := 90")
+    )
+    told = invoke("diff", "old.fcl", "new.fcl").stdout
+    assert "lamp: the same everywhere" in told
+    assert "edited: valve, TERM inlet := 100 → TERM inlet := 90" in told
+
+
+def test_a_rule_that_is_the_same_counts_once_where_its_term_has_moved(invoke, folder):
+    (folder / "new.fcl").write_text(OLD.replace("TERM inlet := 100", "TERM inlet := 90"))
+    _, place, _, *rules = invoke("diff", "old.fcl", "new.fcl").stdout.splitlines()
+    assert place == "  there 100 became 90: temp=3 level=0"
+    assert rules == [
+        "  rule 1, degree 1: IF temp IS cold AND level IS low THEN valve IS inlet",
+        "edited: valve, TERM inlet := 100 → TERM inlet := 90",
+    ]
+
+
+def test_another_method_is_told_and_no_rule(invoke, folder):
+    (folder / "new.fcl").write_text(OLD.replace("METHOD: CoGS;", "METHOD: LM;"))
+    *_, share, edited = invoke("diff", "old.fcl", "new.fcl").stdout.splitlines()
+    assert share.startswith("  by more than 2 on ")
+    assert edited == "edited: valve, METHOD: CoGS → METHOD: LM"
+
+
+def test_where_a_difference_is_only_neared_the_place_has_few_digits(invoke, folder):
+    gap = OLD.replace("RULE 2: IF level IS high THEN valve IS drain;", "")
+    (folder / "new.fcl").write_text(gap)
+    _, place, *_ = invoke("diff", "old.fcl", "new.fcl").stdout.splitlines()
+    assert place == "  there -98 became 100: temp=3 level=0.99"
+
+
 def test_a_difference_that_is_allowed_is_green(invoke, folder):
     assert invoke("diff", "old.fcl", "new.fcl", "--delta", "201").exit_code == 0
 
