@@ -109,9 +109,9 @@ def _where(proved: Completeness, gap: Gap, universe: Universe) -> str:
         return " everywhere"
     if gap.share is None:
         return f" for {where}"
-    if not gap.share:
-        return f" on edges without area: {where}"
     least = "" if proved.certainty is Certainty.EXACT else "at least "
+    if not gap.share:
+        return f" {least}on edges without area: {where}"
     return f" in {least}{percent(gap.share)} of the universe: {where}"
 
 
@@ -148,7 +148,7 @@ def _open(output: Defuzzification, proved: Completeness) -> Finding:
     else:
         doubt = f" in {percent(proved.doubt)} of the universe" if proved.doubt else " somewhere"
         message = f"whether `{output.variable}` is defined is not known{doubt}"
-        hint = "points or weights that variables move, BDIF, NMIN and DPROD leave room for both"
+        hint = "--universe bounds what moves points and weights; BDIF, NMIN and DPROD leave room for both"
     return found(
         "FCL615",
         message,
