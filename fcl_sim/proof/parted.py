@@ -13,7 +13,7 @@ from fcl_sim.proof.axes import Axis, Cell, Flags
 from fcl_sim.proof.halfspaces import HalfSpaces, NotLinear
 from fcl_sim.proof.space import Space
 
-MOST = 1500
+MOST = 1000
 """Cells that are looked into."""
 
 
