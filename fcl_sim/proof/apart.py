@@ -20,7 +20,7 @@ from fcl_sim.proof.changed import changed_terms, concludes, frame_of, rule_keys,
 from fcl_sim.proof.degrees import Boxes, NotEnclosed
 from fcl_sim.proof.enclosure import Enclosure, Law, average
 from fcl_sim.proof.few_digits import points_near
-from fcl_sim.proof.law import Extreme, cells_of
+from fcl_sim.proof.law import Extreme, cells_of, require_ranges
 from fcl_sim.proof.search import AT_ONCE, STEPS, halved, largest
 from fcl_sim.proof.space import axes_of
 from fcl_sim.proof.universe import Universe
@@ -141,7 +141,9 @@ class _Comparer:
         )
         self._terms = changed_terms([each.function_block for each in self._blocks], output)
         self._moved = self._moves(old.function_block, new.function_block, output)
-        self._cells = cells_of(self._names, _joined(self._names, self._blocks, universe))
+        for each in self._blocks:
+            require_ranges(each.function_block, universe)
+        self._cells = cells_of(self._names, _joined(self._names, self._blocks, universe), universe)
 
     def _order(self, block: Block) -> list[int]:
         """Return for each input of a block its place among the names."""

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from fcl_sim.engine.grid import Function, Grid, merge
 from fcl_sim.engine.smooth import degrees_at, sight, turns
 from fcl_sim.model import Curve, CurveKind, Fuzzification, Points, Term
+from fcl_sim.proof.moved import Reach, Spot, ends_of, may_be, may_differ, nowhere, spots_of
 from fcl_sim.proof.universe import Stretch
 from fcl_sim.units import exact
 
@@ -122,12 +123,20 @@ def axis(
     cuts: Iterable[Fraction] = (),
     *,
     as_degree: bool = False,
+    reach: Reach = nowhere,
 ) -> Axis:
     """Return an input with terms in cells; `cuts` are further ends of cells.
 
     With `as_degree` it is brought in as a degree as well, such as a weight.
+    `reach` tells from where to where variables go that move points.
     """
-    grid = cut(fuzzification, stretch, (*cuts, ZERO, ONE) if as_degree else cuts)
+    moved = {
+        each.name.casefold(): spots_of(each.shape, reach)
+        for each in fuzzification.terms
+        if isinstance(each.shape, Points) and not is_constant(each)
+    }
+    further = [*cuts, *(end for spots in moved.values() for end in ends_of(spots))]
+    grid = cut(fuzzification, stretch, (*further, ZERO, ONE) if as_degree else further)
     cells, inside = cells_of(grid, stretch)
     literals: dict[str | None, Literal] = {}
     lows: dict[str | None, tuple[Fraction, ...]] = {}
@@ -145,8 +154,12 @@ def axis(
             straight += 1
         elif isinstance(term.shape, Curve) and is_constant(term):
             bounds = [_curve_bounds(term.shape, each) for each in cells]
-        else:  # its points are moved by variables
-            literals[key] = Literal(unknown(len(cells)), unknown(len(cells)))
+        else:  # its points, or what makes its curve, are moved by variables
+            literals[key] = (
+                Literal(_moved(moved[key], ZERO, cells), _moved(moved[key], ONE, cells))
+                if key in moved
+                else Literal(unknown(len(cells)), unknown(len(cells)))
+            )
             lows[key], highs[key] = (ZERO,) * len(cells), (ONE,) * len(cells)
             continue
         literals[key] = Literal(known(high > 0 for _, high in bounds), known(low < 1 for low, _ in bounds))
@@ -155,6 +168,13 @@ def axis(
         spots = [each.middle for each in cells]
         literals[None] = Literal(known(each > 0 for each in spots), known(each < 1 for each in spots))
     return Axis(variable=variable, cells=cells, literals=literals, lows=lows, highs=highs, middles=middles)
+
+
+def _moved(spots: Sequence[Spot], bound: Fraction, cells: Sequence[Cell]) -> Sure:
+    """Return in which cells a term whose points are moved surely, and possibly, is off 0, or off 1."""
+    surely = [not may_be(spots, bound, each.low, each.high) for each in cells]
+    possibly = [may_differ(spots, bound, each.low, each.high) for each in cells]
+    return Sure(np.array(surely, np.bool_), np.array(possibly, np.bool_))
 
 
 def degree_axis(variable: str, stretch: Stretch | None, cuts: Iterable[Fraction] = ()) -> Axis:

@@ -13,9 +13,10 @@ from fcl_sim.model import FunctionBlock
 from fcl_sim.proof.axes import Axis, Flags
 from fcl_sim.proof.boxes import boxes_of
 from fcl_sim.proof.coupled import are_apart, possible
-from fcl_sim.proof.cubes import Cube, firings, left_out
+from fcl_sim.proof.cubes import Cube, firings, left_out, painted
 from fcl_sim.proof.nearest import Missing, missing_at
-from fcl_sim.proof.points import Point
+from fcl_sim.proof.parted import parted
+from fcl_sim.proof.points import Point, witness
 from fcl_sim.proof.slabs import Budget, Slab, slabs
 from fcl_sim.proof.space import Side, Space, axes_of, condensed
 from fcl_sim.proof.strength import strong_axes
@@ -78,6 +79,7 @@ class Gap:
 class Completeness:
     """What is known of an output: its gap, if it has one, and where it is hardly defined.
 
+    Each box of `parts` has places without a rule, and others with one, by half-spaces.
     `doubt` is the part of the universe of which it is not known, None where
     that has no measure; `proved` the part that was looked at, by number of cells
     where the universe has no end. Unless it is `whole`, something was left, be
@@ -87,6 +89,7 @@ class Completeness:
     output: str
     gap: Gap | None
     weak: Gap | None
+    parts: Gap | None = None
     certainty: Certainty
     doubt: Fraction | None
     proved: Fraction
@@ -146,15 +149,39 @@ class _Prover:
             proved += slab.part
             seen += slab.space.size
         coupled = not are_apart(self._universe.couplings)
+        parts = None
+        if unsure and seen == space.size and not self._universe.couplings:
+            looked_into = self._parts(name)
+            if looked_into is not None:
+                unsure, parts, doubt = looked_into
         return Completeness(
             output=name,
             gap=found.gap(),
+            parts=parts,
             weak=self._weak(name, covers) if seen == space.size else None,
             certainty=Certainty.BOUNDED if unsure or coupled or seen < space.size else Certainty.EXACT,
             doubt=doubt,
             proved=proved,
             whole=seen == space.size,
         )
+
+    def _parts(self, name: str) -> tuple[bool, Gap | None, Fraction | None] | None:
+        """Return whether doubtful cells have places without a rule, where, their share; None if unknown."""
+        axes = axes_of(self._block, self._universe)
+        own = _covers(self._block, axes)[name.casefold()]
+        space, (surely, possibly) = condensed(axes, [own.surely, own.possibly])
+        slab, *others = slabs(space, self._budget)
+        if others:
+            return None
+        doubtful = np.asarray(painted(space.shape, possibly) & left_out(space.shape, surely))
+        looked_into = parted(self._block, axes, name, space, doubtful)
+        if looked_into is None:
+            return None
+        if not looked_into.cells.any():
+            return False, None, Fraction(0)
+        found = _Found(self, name, at=looked_into.place)
+        found.add(slab, looked_into.cells, None)
+        return True, found.gap(), space.share(looked_into.cells)
 
     def _weak(self, name: str, covers: _Covers) -> Gap | None:
         """Return where no rule counts, less what lies around a place where none fires at all."""
@@ -175,6 +202,11 @@ class _Prover:
         """Return a witness in a box that keeps to the couplings."""
         return Witnesses(self._block, self._axes, self._universe).inside(sides)
 
+    def completed(self, place: Point) -> Point:
+        """Return a place as a point, which has a number for every input."""
+        point = witness(self._block, self._axes, {}, self._universe)
+        return {name: place.get(name, value) for name, value in point.items()}
+
     def missing(self, output: str, point: Point, box: Box, least: Fraction) -> Missing:
         """Return what is missing at a witness in a box."""
         return missing_at(self._block, output, point, box.sides.keys(), least)
@@ -183,12 +215,14 @@ class _Prover:
 class _Found:
     """A gap that is put together slab by slab."""
 
-    def __init__(self, prover: _Prover, output: str, least: Fraction = Fraction(0)) -> None:
+    def __init__(
+        self, prover: _Prover, output: str, least: Fraction = Fraction(0), at: Point | None = None
+    ) -> None:
         self._prover, self._output, self._least = prover, output, least
         self._boxes: list[Box] = []
         self._more = False
         self._share: Fraction | None = Fraction(0)
-        self._point: Point | None = None
+        self._point = None if at is None else prover.completed(at)
 
     def add(self, slab: Slab, cells: Flags, allowed: Flags | None) -> None:
         """Add the cells of a slab that couplings leave."""

@@ -17,6 +17,7 @@ from fcl_sim.model import (
     Is,
     Not,
     Or,
+    Point,
     Points,
     RuleBlock,
     Term,
@@ -67,6 +68,12 @@ class Degrees:
         self._boxes, self._inputs, self._terms = boxes, inputs, terms
         self._known: dict[tuple[str, str], Span] = {}
 
+    def weight(self, weight: float | str) -> Span:
+        """Return the bounds of a weight."""
+        if isinstance(weight, str):
+            return self._degree(weight.casefold())
+        return constant(weight, len(self._boxes), len(self._inputs))
+
     def of(self, condition: Condition, operators: RuleBlock) -> Span:
         """Return the bounds of a condition."""
         match condition:
@@ -112,11 +119,68 @@ class Degrees:
                 own = _straight([(float(each.x), each.degree) for each in points], low, high)
             case Curve() as curve if is_constant(term):
                 own = _smooth(curve, low, high)
+            case Points(points):
+                return self._moved(place, points)
             case _:
                 raise NotEnclosed(f"variables move `{term.name}`")
         slopes = np.zeros((2, len(low), len(self._inputs)))
         slopes[:, :, place] = own[2:]
         return Span(own[0], own[1], slopes[0], slopes[1])
+
+    def _moved(self, place: int, points: Sequence[Point]) -> Span:
+        """Return the bounds of a term whose points are moved, each the largest so far (S22)."""
+        low, high = self._boxes.low, self._boxes.high
+        movers = [self._inputs[each.x.casefold()] for each in points if isinstance(each.x, str)]
+        ends = []
+        for end, so_far in ((low, -np.inf), (high, -np.inf)):
+            found: list[Values] = []
+            for each in points:
+                own = end[:, self._inputs[each.x.casefold()]] if isinstance(each.x, str) else float(each.x)
+                found.append(np.maximum(found[-1] if found else so_far, own) + np.zeros(len(low)))
+            ends.append(np.array(found))
+        own = moved_bounds(ends[0], ends[1], [each.degree for each in points], low[:, place], high[:, place])
+        slopes = np.zeros((2, len(low), len(self._inputs)))
+        slopes[0][:, movers], slopes[1][:, movers] = -np.inf, np.inf
+        slopes[:, :, place] = own[2:] if place not in movers else slopes[:, :, place]
+        return Span(own[0], own[1], slopes[0], slopes[1])
+
+
+def moved_bounds(lows: Values, highs: Values, degrees: Sequence[float], low: Values, high: Values) -> Values:
+    """Return least and largest degree, and slopes, of points within `lows` and `highs` (points, n): (4, n).
+
+    Along a stretch between two points the part that is passed rises with x, and falls with both points.
+    """
+    first, last = low <= highs[0], high >= lows[-1]
+    least = np.where(first, degrees[0], np.inf)
+    most = np.where(first, degrees[0], -np.inf)
+    least, most = (
+        np.where(last, np.minimum(least, degrees[-1]), least),
+        np.where(last, np.maximum(most, degrees[-1]), most),
+    )
+    falls, rises = (np.where(first | last, 0.0, end) for end in (np.inf, -np.inf))
+    for place, (one, other) in enumerate(pairwise(degrees)):
+        met = (low <= highs[place + 1]) & (high >= lows[place])
+        widths = (
+            np.maximum(lows[place + 1] - highs[place], 0.0),
+            np.maximum(highs[place + 1] - lows[place], 0.0),
+        )
+        with np.errstate(divide="ignore", invalid="ignore"):
+            least_part = np.where(low > highs[place], (low - highs[place]) / widths_of(highs, place), 0.0)
+            most_part = np.where(high < lows[place + 1], (high - lows[place]) / widths_of(lows, place), 1.0)
+            steep = [np.where(width > 0.0, (other - one) / width, np.inf * (other - one)) for width in widths]
+        parts = np.nan_to_num(np.clip([least_part, most_part], 0.0, 1.0))
+        ends = one + (other - one) * parts
+        slopes = np.nan_to_num(np.array(steep), nan=0.0, posinf=np.inf, neginf=-np.inf)
+        least = np.where(met, np.minimum(least, ends.min(axis=0)), least)
+        most = np.where(met, np.maximum(most, ends.max(axis=0)), most)
+        falls = np.where(met, np.minimum(falls, slopes.min(axis=0)), falls)
+        rises = np.where(met, np.maximum(rises, slopes.max(axis=0)), rises)
+    return np.array([least, most, falls, rises])
+
+
+def widths_of(ends: Values, place: int) -> Values:
+    """Return how far a point is from the next."""
+    return np.asarray(ends[place + 1] - ends[place])
 
 
 def _straight(points: Sequence[tuple[float, float]], low: Values, high: Values) -> Values:

@@ -15,7 +15,7 @@ from fcl_sim.engine.switches import switched
 from fcl_sim.model import (
     Accumulation,
     Activation,
-    Conclusion,
+    AndOperator,
     Defuzzification,
     FunctionBlock,
     Method,
@@ -28,7 +28,7 @@ from fcl_sim.model import (
 from fcl_sim.proof.axes import base_of, is_constant
 from fcl_sim.proof.centroid import Activated, Reach, bounds, reach_of
 from fcl_sim.proof.degrees import Boxes, Degrees, NotEnclosed
-from fcl_sim.proof.spans import Span, either, hedged
+from fcl_sim.proof.spans import Span, both, either, hedged
 
 Values = NDArray[np.float64]
 
@@ -46,21 +46,14 @@ class Law:
 
 @dataclass(frozen=True, slots=True)
 class _Concluded:
-    """A conclusion: its term in lower case, the bounds of its rule's degree, and how it is activated."""
+    """A conclusion: its term in lower case, the bounds of its rule's degree and weight, and how it acts."""
 
     term: str
     span: Span
-    weight: float
+    weight: Span
     activation: Activation
-
-    @classmethod
-    def of(cls, conclusion: Conclusion, span: Span, activation: Activation) -> "_Concluded":
-        """Return a conclusion of a rule whose degree is within a span."""
-        for hedge in reversed(conclusion.hedges):
-            span = hedged(span, hedge)
-        if isinstance(conclusion.weight, str):
-            raise NotEnclosed(f"`{conclusion.weight}` is a weight that a variable holds")
-        return cls((conclusion.term or "").casefold(), span, conclusion.weight, activation)
+    constant: float | None
+    """The weight where no variable holds it."""
 
 
 class Enclosure:
@@ -88,7 +81,7 @@ class Enclosure:
 
     def rules(self, boxes: Boxes) -> list[tuple[Rule, Span]]:
         """Return every rule with the bounds of its degree, in the order of the text."""
-        return [(rule, span) for _, rule, span in self._read(boxes)]
+        return [(rule, span) for _, rule, span in self._read(Degrees(boxes, self._inputs, self._terms))]
 
     @property
     def places(self) -> Mapping[str, tuple[float, float]]:
@@ -112,16 +105,21 @@ class Enclosure:
 
     def _concluded(self, boxes: Boxes) -> list[_Concluded]:
         """Return every conclusion on the output, with the bounds of its degree before its weight."""
-        return [
-            _Concluded.of(each, span, rule_block.activation)
-            for rule_block, rule, span in self._read(boxes, only=self._output.variable)
-            for each in rule.conclusions
-            if each.variable.casefold() == self._output.variable.casefold() and each.term is not None
-        ]
-
-    def _read(self, boxes: Boxes, only: str = "") -> Iterator[tuple[RuleBlock, Rule, Span]]:
-        """Yield rules with the bounds of their degrees, in their order; `only` those on a variable."""
         reader = Degrees(boxes, self._inputs, self._terms)
+        found = []
+        for rule_block, rule, span in self._read(reader, only=self._output.variable):
+            for each in rule.conclusions:
+                if each.variable.casefold() == self._output.variable.casefold() and each.term is not None:
+                    own = span
+                    for hedge in reversed(each.hedges):
+                        own = hedged(own, hedge)
+                    term, weight = each.term.casefold(), reader.weight(each.weight)
+                    fixed = None if isinstance(each.weight, str) else each.weight
+                    found.append(_Concluded(term, own, weight, rule_block.activation, fixed))
+        return found
+
+    def _read(self, reader: Degrees, only: str = "") -> Iterator[tuple[RuleBlock, Rule, Span]]:
+        """Yield rules with the bounds of their degrees, in their order; `only` those on a variable."""
         for rule_block in self._block.rule_blocks:
             for rule in rule_block.rules:
                 if not only or any(each.variable.casefold() == only.casefold() for each in rule.conclusions):
@@ -130,7 +128,12 @@ class Enclosure:
     def _accumulated(self, concluded: Sequence[_Concluded]) -> dict[str, Span]:
         shares: dict[str, list[Span]] = {}
         for each in concluded:
-            shares.setdefault(each.term, []).append(each.span.times(each.weight))
+            own = (
+                both(AndOperator.PROD, [each.span, each.weight])
+                if each.constant is None
+                else each.span.times(each.constant)
+            )
+            shares.setdefault(each.term, []).append(own)
         return {term: either(self._accumulation, own) for term, own in shares.items()}
 
     def _area_reach(self) -> Reach | None:
@@ -156,7 +159,9 @@ class Enclosure:
         names = [each.name.casefold() for each in self._output.terms]
         groups: dict[tuple[str, Activation, float], list[_Concluded]] = {}
         for each in concluded:
-            groups.setdefault((each.term, each.activation, each.weight), []).append(each)
+            if each.constant is None:
+                return law
+            groups.setdefault((each.term, each.activation, each.constant), []).append(each)
         parts = [
             Activated(
                 names.index(term),

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fcl_sim.block import Block
+from fcl_sim.model import FunctionBlock
 from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.cubes import leaves
 from fcl_sim.proof.degrees import Boxes, NotEnclosed
@@ -27,6 +28,7 @@ from fcl_sim.proof.search import Search, largest
 from fcl_sim.proof.section import NotStraight, section
 from fcl_sim.proof.space import axes_of
 from fcl_sim.proof.symmetry import symmetry_of
+from fcl_sim.proof.terms import moving
 from fcl_sim.proof.universe import Universe
 from fcl_sim.units import exact
 
@@ -146,7 +148,8 @@ class _Explorer:
         self._enclosure = Enclosure(block.function_block, output)
         self._coupled = bool(universe.couplings)
         self._axes = {each.variable: each for each in axes_of(block.function_block, universe)}
-        self._cells = cells_of(self._names, self._axes)
+        require_ranges(block.function_block, universe)
+        self._cells = cells_of(self._names, self._axes, universe)
         self._reach = self._cells.high.max(axis=0) - self._cells.low.min(axis=0)
 
     def law(self) -> OutputLaw:
@@ -326,15 +329,28 @@ def whole_of(cells: Boxes) -> Boxes:
     return Boxes(cells.low.min(axis=0)[None, :], cells.high.max(axis=0)[None, :])
 
 
-def cells_of(names: Sequence[str], axes: Mapping[str, Axis]) -> Boxes:
-    """Return the closed cells between breakpoints, as boxes of all inputs; one that no rule asks for is 0."""
+def require_ranges(block: FunctionBlock, universe: Universe) -> None:
+    """Raise NotEnclosed where a variable moves something and may go anywhere."""
+    fuzzified = {each.variable.casefold() for each in block.fuzzifications}
+    for name in dict.fromkeys(moving(block)):
+        if universe.of(name) is None and name not in fuzzified:
+            raise NotEnclosed(f"`{name}` moves terms and may go anywhere: give its range by --universe")
+
+
+def cells_of(names: Sequence[str], axes: Mapping[str, Axis], universe: Universe) -> Boxes:
+    """Return the closed cells between breakpoints, as boxes of all inputs.
+
+    An input without terms has its range, or is 0.
+    """
     ends = []
     for name in names:
         axis = axes.get(name)
         knots = (
             [float(each.low) for each in axis.cells if each.is_point and each.low is not None] if axis else []
         )
-        ends.append(list(pairwise(knots)) or [((knots or [0.0])[0],) * 2])
+        stretch = None if axis else universe.of(name)
+        alone = (float(stretch[0]), float(stretch[1])) if stretch else ((knots or [0.0])[0],) * 2
+        ends.append(list(pairwise(knots)) or [alone])
     count = 1
     for each in ends:
         count *= len(each)

@@ -75,7 +75,7 @@ def missing_at(
     without = [
         each.variable
         for each in block.fuzzifications
-        if each.variable.casefold() in asked and strongest(each, _value(point, each.variable)) is None
+        if each.variable.casefold() in asked and strongest(each, _value(point, each.variable), point) is None
     ]
     bounding = {each.casefold() for each in sides} & asked
     asks = [text for each in point if each.casefold() in bounding for text in _ask(block, each, point)]
@@ -101,7 +101,7 @@ def missing_at(
 def _ask(block: FunctionBlock, variable: str, point: Point) -> Iterator[str]:
     """Yield what a rule could ask of an input at a point: its strongest term, or its degree."""
     own = [each for each in block.fuzzifications if each.variable.casefold() == variable.casefold()]
-    term = strongest(own[0], point[variable]) if own else None
+    term = strongest(own[0], point[variable], point) if own else None
     if term is not None:
         yield f"{variable} IS {term.name}"
     elif not own:
@@ -184,7 +184,7 @@ class _Degrees:
         if found is None:
             return self._least
         x = self._point[condition.variable.casefold()]
-        return self._least * max(degree(each, x) or Fraction(0) for each in found[0].terms)
+        return self._least * max(degree(each, x, self._point) or Fraction(0) for each in found[0].terms)
 
     def _degree(self, condition: Condition) -> Fraction | None:
         """Return a degree; None where it cannot be told of the point alone."""
@@ -196,7 +196,7 @@ class _Degrees:
                 return (
                     None
                     if found is None or condition.hedges
-                    else degree(found[1], self._point[variable.casefold()])
+                    else degree(found[1], self._point[variable.casefold()], self._point)
                 )
         return None
 

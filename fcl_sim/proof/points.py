@@ -13,6 +13,7 @@ from fcl_sim.model import Curve, FunctionBlock, Fuzzification, Points, Term
 from fcl_sim.proof.axes import Axis, is_constant
 from fcl_sim.proof.coupled import whole
 from fcl_sim.proof.space import Side
+from fcl_sim.proof.universe import Universe
 from fcl_sim.units import exact
 
 Point = Mapping[str, Fraction]
@@ -44,14 +45,17 @@ def span_of(axis: Axis) -> Fraction:
     return (ends[-1] - ends[0]) / 5 or Fraction(1) if ends else Fraction(1)
 
 
-def witness(block: FunctionBlock, axes: Sequence[Axis], sides: Mapping[str, Side]) -> dict[str, Fraction]:
+def witness(
+    block: FunctionBlock, axes: Sequence[Axis], sides: Mapping[str, Side], universe: Universe
+) -> dict[str, Fraction]:
     """Return a point of a box with a number for every input: inside, and of few digits."""
     own = {each.variable: each for each in axes}
     found = {}
     for each in block.inputs:
         axis = own.get(each.name)
         if axis is None:
-            found[each.name] = exact(each.initial or 0.0)
+            stretch = universe.of(each.name)
+            found[each.name] = within(Side(*stretch)) if stretch else exact(each.initial or 0.0)
         elif each.name in sides:
             found[each.name] = within(sides[each.name], span_of(axis))
         else:
@@ -68,15 +72,22 @@ def _inner(axis: Axis) -> Side:
     return side
 
 
-def degree(term: Term, x: Fraction) -> Fraction | None:
-    """Return the degree of a term of an input at `x`, exact if it is straight; None if it is moved."""
-    if not is_constant(term):
+def degree(term: Term, x: Fraction, point: Point | None = None) -> Fraction | None:
+    """Return the degree of a term of an input at `x`, exact if it is straight.
+
+    What moves it has its value at `point`; without one, None.
+    """
+    if not is_constant(term) and point is None:
         return None
+    values = {name.casefold(): value for name, value in (point or {}).items()}
     match term.shape:
         case Points(points):
-            base = tuple((exact(float(each.x)), exact(each.degree)) for each in points)
-            return membership(base, x)
-        case Curve() as curve:
+            base: list[tuple[Fraction, Fraction]] = []
+            for each in points:
+                own = values[each.x.casefold()] if isinstance(each.x, str) else exact(float(each.x))
+                base.append((max(own, base[-1][0]) if base else own, exact(each.degree)))  # S22
+            return membership(tuple(base), x)
+        case Curve() as curve if is_constant(term):
             return Fraction(float(degrees_at(curve, np.array([float(x)]))[0]))
     return None
 
@@ -92,8 +103,8 @@ def membership(base: Base, x: Fraction) -> Fraction:
     return base[0][1] if x < base[0][0] else base[-1][1]
 
 
-def strongest(fuzzification: Fuzzification, x: Fraction) -> Term | None:
+def strongest(fuzzification: Fuzzification, x: Fraction, point: Point | None = None) -> Term | None:
     """Return the term of an input that has the largest degree at `x`, if any is above 0."""
-    degrees = [(degree(each, x) or Fraction(0), each) for each in fuzzification.terms]
+    degrees = [(degree(each, x, point) or Fraction(0), each) for each in fuzzification.terms]
     largest = max((own for own, _ in degrees), default=Fraction(0))
     return next((each for own, each in degrees if own == largest), None) if largest > 0 else None

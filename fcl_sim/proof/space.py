@@ -141,7 +141,9 @@ def axes_of(
         own = further.get(name, ())
         if name in terms and terms[name].terms:
             as_degree = name in degrees
-            found.append(axis(each.name, terms[name], universe.of(name), own, as_degree=as_degree))
+            found.append(
+                axis(each.name, terms[name], universe.of(name), own, as_degree=as_degree, reach=universe.of)
+            )
         elif name in degrees:
             found.append(degree_axis(each.name, universe.of(name), own))
     return tuple(found)

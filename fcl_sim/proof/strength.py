@@ -63,10 +63,10 @@ def _strong(
     own = [each for each in fuzzification.terms if is_constant(each)]
     if all(is_straight(each) for each in own):
         cuts = set(_crossings(fuzzification, stretch, least))
-        refined = axis(plain.variable, fuzzification, stretch, cuts, as_degree=as_degree)
+        refined = axis(plain.variable, fuzzification, stretch, cuts, as_degree=as_degree, reach=universe.of)
         literals = _exactly(refined, own, least)
     else:
-        refined, literals = _halved(plain, fuzzification, own, stretch, float(least))
+        refined, literals = _halved(plain, fuzzification, own, universe, float(least))
     blank = Literal(unknown(len(refined.cells)), unknown(len(refined.cells)))
     return refined, {key: literals.get(key or "", blank) for key in refined.literals}
 
@@ -130,7 +130,7 @@ class _Piece:
 
 
 def _halved(
-    plain: Axis, fuzzification: Fuzzification, terms: Sequence[Term], stretch: Stretch | None, least: float
+    plain: Axis, fuzzification: Fuzzification, terms: Sequence[Term], universe: Universe, least: float
 ) -> tuple[Axis, dict[str, Literal]]:
     """Return an axis with smooth terms, in pieces on which it is known whether a term counts."""
     ends = [float(each.low) for each in plain.cells if each.is_point and each.low is not None]
@@ -139,7 +139,14 @@ def _halved(
         pieces += _pieces(terms, low, high, least)
     merged = [each for place, each in enumerate(pieces) if place == 0 or not _alike(pieces[place - 1], each)]
     cuts = {exact(each.low) for each in merged}
-    refined = axis(plain.variable, fuzzification, stretch, cuts, as_degree=None in plain.literals)
+    refined = axis(
+        plain.variable,
+        fuzzification,
+        universe.of(plain.variable),
+        cuts,
+        as_degree=None in plain.literals,
+        reach=universe.of,
+    )
     literals = {}
     for place, term in enumerate(terms):
         counts = [_told(pieces, each, place) for each in refined.cells]

@@ -61,14 +61,14 @@ def unconcluded(block: FunctionBlock, output: Defuzzification) -> tuple[Term, ..
 
 def without_effect(block: FunctionBlock) -> tuple[Variable, ...]:
     """Return the inputs that stand in no condition and no weight, and move nothing."""
-    used = set(brought(block)) | set(_moving(block))
+    used = set(brought(block)) | set(moving(block))
     for rule_block in block.rule_blocks:
         for rule in rule_block.rules:
             used |= {each.variable for each in asks_of(rule.condition)}
     return tuple(each for each in block.inputs if each.name.casefold() not in used)
 
 
-def _moving(block: FunctionBlock) -> Iterator[str]:
+def moving(block: FunctionBlock) -> Iterator[str]:
     """Yield the variables that move points or parameters of terms, or stand in a formula, in lower case."""
     sections = [each.terms for each in block.fuzzifications] + [each.terms for each in block.defuzzifications]
     for terms in sections:

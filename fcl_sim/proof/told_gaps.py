@@ -13,6 +13,7 @@ from fcl_sim.proof.universe import Universe
 from fcl_sim.proof.words import box, command, over, percent, quoted, rules_named
 from fcl_sim.units import short
 
+LOSING_HINT = "BDIF is 0 unless degrees add up to more than 1: take AND: MIN, or let the terms overlap more"
 SHOWN = 3
 """Boxes that a message names."""
 
@@ -29,15 +30,21 @@ def told_gaps(
     name = proved.output
     if proved.gap is not None:
         message = f"`{name}` is undefined ({instead(output)}){_where(proved, proved.gap, universe)}"
+        if proved.parts is not None:
+            message = f"{message}; and in parts of {_boxes(proved.parts, universe)}"
         causes = list(_causes(block, proved.gap, universe, bare))
         yield _gap(block, proved, proved.gap, message, causes)
+    elif proved.parts is not None:
+        message = f"`{name}` is undefined ({instead(output)}) in parts of {_boxes(proved.parts, universe)}"
+        yield _gap(block, proved, proved.parts, message)
     if proved.weak is not None:
         few = (
             f"by tails alone: every rule asks for a term below {percent_of(epsilon)} of its input's strongest"
         )
         message = f"`{name}` is hardly defined ({few}){_where(proved, proved.weak, universe)}"
         yield _gap(block, proved, proved.weak, message)
-    if not proved.whole or (proved.certainty is Certainty.BOUNDED and proved.doubt != 0):
+    open_ = proved.certainty is Certainty.BOUNDED and proved.doubt != 0 and proved.parts is None
+    if not proved.whole or open_:
         yield _open(output, proved)
 
 
@@ -81,37 +88,44 @@ def _gap(
     causes: Sequence[tuple[Span | None, str]] = (),
 ) -> Finding:
     span = _output(block, proved).span
-    shown = command(span, gap.witness, thin=gap.boxes[0].is_thin)
+    is_part = gap is proved.parts
+    shown = command(span, gap.witness, thin=is_part or gap.boxes[0].is_thin)
+    helpful = LOSING_HINT if is_part else f"{_missing(gap.missing)}{_coupled(block, gap)}"
     return found(
-        "FCL601" if gap is proved.gap else "FCL602",
+        "FCL602" if gap is proved.weak else "FCL601",
         message,
         [span],
-        f"{_missing(gap.missing)}{_coupled(block, gap)}; see `{shown}`",
+        f"{helpful}; see `{shown}`",
         others=causes,
         certainty=proved.certainty,
         variable=proved.output,
         witness=gap.witness,
-        share=gap.share,
+        share=None if is_part else gap.share,
         boxes=gap.boxes,
         more=gap.more,
     )
 
 
-def _where(proved: Completeness, gap: Gap, universe: Universe) -> str:
-    """Return how much of the universe a gap takes, and where it is."""
+def _boxes(gap: Gap, universe: Universe) -> str:
+    """Return the first boxes of a gap, and how many more there are."""
     told = [box(each.sides, universe) for each in gap.boxes[:SHOWN]]
     rest = len(gap.boxes) - len(told)
     if rest > 0:
         more = "at least " if gap.more else ""
         told.append(f"and {more}{rest} more box{'' if rest == 1 else 'es'}")
-    where = "; ".join(told)
+    return "; ".join(told)
+
+
+def _where(proved: Completeness, gap: Gap, universe: Universe) -> str:
+    """Return how much of the universe a gap takes, and where it is."""
+    where = _boxes(gap, universe)
     if not gap.boxes[0].sides:
         return " everywhere"
     if gap.share is None:
         return f" for {where}"
-    if not gap.share:
-        return f" on edges without area: {where}"
     least = "" if proved.certainty is Certainty.EXACT else "at least "
+    if not gap.share:
+        return f" {least}on edges without area: {where}"
     return f" in {least}{percent(gap.share)} of the universe: {where}"
 
 
@@ -148,7 +162,7 @@ def _open(output: Defuzzification, proved: Completeness) -> Finding:
     else:
         doubt = f" in {percent(proved.doubt)} of the universe" if proved.doubt else " somewhere"
         message = f"whether `{output.variable}` is defined is not known{doubt}"
-        hint = "points or weights that variables move, BDIF, NMIN and DPROD leave room for both"
+        hint = "--universe bounds what moves points and weights; BDIF, NMIN and DPROD leave room for both"
     return found(
         "FCL615",
         message,

@@ -29,7 +29,7 @@ class Witnesses:
 
     def inside(self, sides: Mapping[str, Side]) -> Point | None:
         """Return a point of a box, of few digits, that keeps to the couplings; None where that fails."""
-        point = witness(self._block, self._axes, sides)
+        point = witness(self._block, self._axes, sides, self._universe)
         room = {each.variable: sides.get(each.variable, whole(each)) for each in self._axes}
         room |= {name: Side(value, value) for name, value in point.items() if name not in room}
         return kept(point, room, self._universe.couplings)

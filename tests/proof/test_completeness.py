@@ -11,6 +11,7 @@ from fcl_sim.block import loads
 from fcl_sim.model import And, Degree, Is, Not, Or
 from fcl_sim.proof.axes import base_of
 from fcl_sim.proof.completeness import Certainty, completeness
+from fcl_sim.proof.exact import exactly
 from fcl_sim.proof.space import axes_of
 from fcl_sim.proof.universe import universe_of
 from tests.house.places import ROOT
@@ -70,6 +71,51 @@ def test_operators_that_leave_doubt_are_never_wrong(seed):
     assert not (gap & fires).any()
     if proved.certainty is Certainty.EXACT:
         assert (gap | fires).all()
+    elif proved.parts:
+        parts = np.array([any(inside(box, point) for box in proved.parts.boxes) for point in points])
+        assert proved.parts.more or (gap | fires | parts).all()
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_bdif_is_told_by_half_spaces(seed):
+    text = random_text(seed, ANY)
+    block = block_of(text)
+    (proved,) = completeness(block, universe(block))
+    assert (proved.certainty is Certainty.EXACT) != (proved.parts is not None)
+    if proved.parts:
+        (output,) = exactly(block, proved.parts.witness).outputs
+        assert str(output.origin) == "DEFAULT"
+        assert proved.doubt > 0 or all(box.is_thin for box in proved.parts.boxes)
+
+
+GRID = """
+FUNCTION_BLOCK grid
+VAR_INPUT a: REAL; b: REAL; END_VAR
+VAR_OUTPUT y: REAL; END_VAR
+FUZZIFY a TERM low := (0, 1) (10, 0); TERM high := (0, 0) (10, 1); END_FUZZIFY
+FUZZIFY b TERM low := (0, 1) (10, 0); TERM high := ({foot}, 0) (10, 1); END_FUZZIFY
+DEFUZZIFY y TERM less := -1; TERM more := 1; METHOD: CoGS; DEFAULT := 0; END_DEFUZZIFY
+RULEBLOCK r
+    AND: BDIF; OR: BSUM; ACCU: MAX;
+    RULE 1: IF a IS low AND b IS low THEN y IS less;
+    RULE 2: IF a IS high AND b IS high THEN y IS more;
+    RULE 3: IF a IS low AND b IS high THEN y IS more;
+    RULE 4: IF a IS high AND b IS low THEN y IS more;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+"""
+
+
+def test_a_full_grid_under_bdif_has_one_point_without_a_rule():
+    block = block_of(GRID.format(foot=0))
+    (proved,) = completeness(block, universe_of(block, ["a=0..10", "b=0..10"]))
+    assert dict(proved.parts.witness) == {"a": 5, "b": 5}
+
+
+def test_terms_that_overlap_more_leave_none():
+    block = block_of(GRID.format(foot=-1))
+    (proved,) = completeness(block, universe_of(block, ["a=0..10", "b=0..10"]))
+    assert (proved.gap, proved.parts, proved.certainty) == (None, None, Certainty.EXACT)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -104,8 +150,42 @@ def test_z3_finds_a_point_without_a_rule_exactly_where_there_is_a_gap(seed):
     assert (proved.gap is not None) == (gap_by_z3(block) is not None)
 
 
-def gap_by_z3(block):
+BOUNDED = {"AND": ("BDIF",), "OR": ("BSUM",)}
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_z3_finds_a_point_without_a_rule_under_bdif_exactly_where_there_is_a_gap_or_a_part(seed):
+    block = block_of(random_text(seed, BOUNDED))
+    (proved,) = completeness(block, universe(block))
+    told = proved.gap is not None or proved.parts is not None
+    assert told == (gap_by_z3(block, above=is_above_by_degree) is not None)
+
+
+def is_above_by_degree(condition, terms, names):
+    return degree(condition, terms, names) > 0
+
+
+def degree(condition, terms, names):
+    """Return the degree of a condition under BDIF and BSUM."""
+    match condition:
+        case Is(variable, term):
+            return terms[variable, term]
+        case Degree(variable):
+            return names[variable]
+        case Not(argument):
+            return 1 - degree(argument, terms, names)
+        case And(arguments):
+            total = sum(degree(each, terms, names) for each in arguments) - (len(arguments) - 1)
+            return z3.If(total > 0, total, 0)
+        case Or(arguments):
+            total = sum(degree(each, terms, names) for each in arguments)
+            return z3.If(total < 1, total, 1)
+    raise TypeError(condition)
+
+
+def gap_by_z3(block, above=None):
     """Return a point at which no rule fires, by z3 over the reals; None where it proves there is none."""
+    above = above or is_above
     solver = z3.Solver()
     names = {each.name: z3.Real(each.name) for each in block.inputs}
     for name, value in names.items():
@@ -118,7 +198,7 @@ def gap_by_z3(block):
     }
     for rule in block.rule_blocks[0].rules:
         if rule.conclusions[0].weight:
-            solver.add(z3.Not(is_above(rule.condition, terms, names)))
+            solver.add(z3.Not(above(rule.condition, terms, names)))
     return solver.model() if solver.check() == z3.sat else None
 
 

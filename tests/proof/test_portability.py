@@ -1,5 +1,6 @@
 """What another engine makes of a text is computed, and told where it matters."""
 
+import numpy as np
 import pytest
 
 from fcl_sim.block import loads
@@ -66,3 +67,81 @@ def test_nsum_is_compared_with_bsum():
     theirs = loads(text.replace("ACCU: MAX;", "ACCU: BSUM;"))
     at = {name: float(value) for name, value in note.witness.items()}
     assert abs(float(block.evaluate(at)["valve"] - theirs.evaluate(at)["valve"])) > 2.0
+
+
+def only(text):
+    block, (note,) = notes(text)
+    at = {name: float(value) for name, value in note.witness.items()}
+    return note, at, float(block.evaluate(at)[note.variable])
+
+
+def told(note):
+    """Return what the message says that the other engine gives."""
+    return float(note.diagnostic.message.split(" there")[0].split()[-1])
+
+
+def test_weights_of_areas_are_compared_with_weights_before_activation():
+    text = areas("WITH 0.5")
+    note, at, ours = only(text)
+    assert "weight a rule before activation, where A.15 multiplies the activated" in note.diagnostic.message
+    u = np.linspace(0.0, 12.0, 100_001)
+    one, other = 1.0 - at["a"] / 4.0, at["a"] / 4.0
+    less_, more = np.interp(u, [0, 2, 4], [0, 1, 0]), np.interp(u, [4, 8, 12], [0, 1, 0])
+    area = np.maximum(np.minimum(0.5 * one, less_), np.minimum(other, more))
+    theirs = (u * area).sum() / area.sum()
+    assert told(note) == pytest.approx(theirs, abs=1e-3)
+    assert abs(ours - theirs) > 0.1
+    assert notes(areas("WITH 0.5").replace("ACCU: MAX;", "ACT: PROD; ACCU: MAX;"))[1] == []
+
+
+def areas(weight):
+    return f"""
+FUNCTION_BLOCK tank
+VAR_INPUT a: REAL; END_VAR
+VAR_OUTPUT y: REAL; END_VAR
+FUZZIFY a TERM low := (0, 1) (4, 0); TERM high := (0, 0) (4, 1); END_FUZZIFY
+DEFUZZIFY y
+    TERM less := (0, 0) (2, 1) (4, 0);
+    TERM more := (4, 0) (8, 1) (12, 0);
+    RANGE := (0 .. 12); METHOD: CoG; DEFAULT := 0;
+END_DEFUZZIFY
+RULEBLOCK r
+    ACCU: MAX;
+    RULE 1: IF a IS low THEN y IS less {weight};
+    RULE 2: IF a IS high THEN y IS more;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+"""
+
+
+def test_two_rule_blocks_on_one_output_are_compared_with_either_alone():
+    text = areas("").replace("    RULE 2:", "END_RULEBLOCK\nRULEBLOCK s\n    ACCU: MAX;\n    RULE 2:")
+    note, at, ours = only(text)
+    assert "lets one of the rule blocks on `y` replace what the others gave" in note.diagnostic.message
+    alone = [float(loads(less(text, label)).evaluate(at)["y"]) for label in "12"]
+    theirs = told(note)
+    assert theirs in [float(f"{each:.5g}") for each in alone]
+    assert abs(ours - theirs) > 1.0
+
+
+def less(text, label):
+    return "\n".join(each for each in text.splitlines() if not each.strip().startswith(f"RULE {label}:"))
+
+
+def test_a_missing_accu_is_compared_with_a_sum():
+    text = (
+        areas("")
+        .replace("    ACCU: MAX;\n", "")
+        .replace("RULE 2:", "RULE 3: IF a IS high THEN y IS less;\n    RULE 2:")
+    )
+    note, at, _ = only(text)
+    assert note.diagnostic.message.startswith("jFuzzyLogic adds without a bound where ACCU is missing: ")
+    assert 0.0 < at["a"] < 4.0
+
+
+def test_an_edge_of_an_input_in_whole_numbers_is_compared_with_its_other_side():
+    text = areas("").replace("a: REAL", "a: INT").replace("(0, 1) (4, 0); TERM", "(0, 1) (3, 1) (3, 0); TERM")
+    note, at, _ = only(text)
+    assert at == {"a": 3.0}
+    assert "take another degree at a vertical edge, such as that of `low`" in note.diagnostic.message
+    assert notes(text.replace("a: INT", "a: REAL"))[1] == []
