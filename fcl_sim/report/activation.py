@@ -78,7 +78,7 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     size = -(-len(firing.labels) // count)
     caption = (
         f"Run {one_line(run.variant)}: the rules of {one_line(node.block.name)} over time, darker the more "
-        "they fire; an orange line where a rule dominates."
+        "they fire; a bright line where a rule dominates."
     )
     if firing.idle.any():
         caption += " Hatched: no rule fires."
@@ -164,8 +164,9 @@ def _draw_dominant(axes: Axes, firing: Firing, edges: Values) -> None:
         for start, stop in stretches(own)
     ]
     if pieces:
-        line = Line(*joined(pieces), style.VIOLATION_EDGE, 1.3, flat=True, halo=1.0, z=4, label="dominant")
-        axes.add(line)
+        x, y = joined(pieces)
+        axes.add(Line(x, y, style.INK, 2.4, flat=True, z=4))
+        axes.add(Line(x, y, style.LEADS, 1.2, flat=True, z=4.1, label="dominant"))
 
 
 def _draw_texts(axes: Axes, firing: Firing) -> None:

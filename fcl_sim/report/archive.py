@@ -22,6 +22,7 @@ from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.report.codec import Unreadable, decoded, encoded
 from fcl_sim.report.proved import Proved
 from fcl_sim.report.provenance import Origin
+from fcl_sim.report.story import Story
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.coverage import Coverage
 
@@ -36,6 +37,7 @@ class Stored:
     outcomes: tuple[Outcome, ...]
     covered: tuple[Coverage, ...]
     proofs: tuple[Proved, ...]
+    stories: tuple[Story, ...]
     origin: Origin
 
 

@@ -158,12 +158,16 @@ def _finite(seen: Mapping[str, Values], name: str) -> Values:
 def _caption(surface: Surface, fixed: Mapping[str, float], *, drawn: bool) -> str:
     across, up = one_line(surface.across.name), one_line(surface.up.name)
     text = f"{one_line(surface.name)} over {across} and {up}"
-    if not drawn:
-        text += ", as a map with lines of equal height, and in space"
     if fixed:
         held = joined([f"{one_line(name)} = {number(at)}" for name, at in fixed.items()])
         text += f"; {held} held" + (" at the run's median" if drawn else "")
-    return text + (". Hatched: no rule is active." if surface.undefined.any() else ".")
+    if surface.undefined.any():
+        text += (
+            ". Hatched, and left out in space: no rule is active"
+            if not drawn
+            else ". Hatched: no rule is active"
+        )
+    return f"{text}."
 
 
 def memberships(

@@ -10,16 +10,16 @@ from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.judge.wording import relation
 from fcl_sim.loop.wiring import wire
 from fcl_sim.report import activation, baselines, beside, characteristics, pictures, summary
+from fcl_sim.report.archive import Stored
 from fcl_sim.report.envelopes import envelope_pictures, envelope_rows, envelope_text
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.placed import Register, placed
-from fcl_sim.report.proved import Proved
-from fcl_sim.report.provenance import Origin, origin_of
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
 from fcl_sim.report.rule_bases import rule_base_data, rule_bases
 from fcl_sim.report.setting import differences, milliseconds, parameters, starts
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
 from fcl_sim.report.stills import stills_of
+from fcl_sim.report.story import story_data
 from fcl_sim.report.wiring import picture as wired
 from fcl_sim.report.words import (
     bound,
@@ -33,7 +33,6 @@ from fcl_sim.report.words import (
     with_unit,
 )
 from fcl_sim.testbench import Outcome, Run
-from fcl_sim.verify.coverage import Coverage
 
 Data = dict[str, Any]
 
@@ -46,18 +45,9 @@ MOST_SUBJECTS = 3
 """Plants that a title names; of more it gives the number of scenarios."""
 
 
-def report_data(
-    outcomes: Sequence[Outcome],
-    register: Register,
-    covered: Sequence[Coverage] = (),
-    proofs: Sequence[Proved] = (),
-    origin: Origin | None = None,
-) -> Data:
-    """Return the report's data; every picture in it goes through `register`.
-
-    `covered` is how far the runs have exercised the rule bases, `proofs` what
-    is proved of these; `origin` says where all of it comes from.
-    """
+def report_data(stored: Stored, register: Register) -> Data:
+    """Return the report's data; every picture in it goes through `register`."""
+    outcomes = stored.outcomes
     status = summary.overall(outcomes)
     return {
         "title": one_line(title_of(outcomes)),
@@ -69,15 +59,19 @@ def report_data(
         "sentence": summary.sentence(outcomes),
         "footer": f"fcl_sim {__version__}",
         "overview": [_overview(outcome, f"s{index}") for index, outcome in enumerate(outcomes)],
-        "signed": sign_off(outcomes, origin or origin_of(outcomes), covered, proofs),
+        "signed": sign_off(outcomes, stored.origin, stored.covered, stored.proofs),
         "matrix": {
             "tables": matrix_rows(outcomes),
             "legend": legend(),
             "untested": untested(outcomes),
         },
-        "scenarios": [_scenario(outcome, f"s{index}", register) for index, outcome in enumerate(outcomes)],
+        "scenarios": [
+            _scenario(outcome, f"s{index}", register)
+            | {"before": story_data(stored.stories, outcome, outcomes[:index])}
+            for index, outcome in enumerate(outcomes)
+        ],
         "depth": 2 if sum(len(each.variants) + 3 for each in outcomes) < MOST_ENTRIES else 1,
-        "rule_bases": rule_base_data(rule_bases(outcomes), register, covered, proofs),
+        "rule_bases": rule_base_data(rule_bases(outcomes), register, stored.covered, stored.proofs),
     }
 
 

@@ -6,6 +6,7 @@ from functools import partial
 
 from fcl_sim.report import alt
 from fcl_sim.report.canvas import Figure
+from fcl_sim.report.events import marks_of
 from fcl_sim.report.time_plots import Lane, Shown, lanes, pages, time_plot
 from fcl_sim.report.words import one_line, with_unit
 from fcl_sim.testbench import Outcome, Run
@@ -77,6 +78,8 @@ def _caption(run: Run, page: Sequence[Lane], index: int) -> str:
             parts.append("A shaded stretch with a bar at its upper edge violates a requirement.")
     if any(not record.active.all() for record in run.trace.fuzzy.values()):
         parts.append("Hatching at the foot of an output: no rule is active.")
+    if marks_of(run.trace):
+        parts.append("Dashed uprights: what blocks reported and what happened to the PLC.")
     if run.trace.fault is not None:
         fault = run.trace.fault
         parts.append(f"The run ended at {with_unit(fault.tick / 1e9, 's', 9)}: {one_line(fault.reason)}.")

@@ -67,9 +67,11 @@ def asked_of(outcome: Outcome) -> list[Asked]:
             name = over.requirement.id
             asked.setdefault(name, over.requirement)
             envelopes.setdefault(name, {})[run.variant] = over
+    order = [each.id for each in outcome.scenario.requirements]
+    names = sorted(asked, key=lambda name: order.index(name) if name in order else len(order))
     return [
-        Asked(requirement=each, runs=runs.get(name, {}), envelopes=envelopes.get(name, {}))
-        for name, each in asked.items()
+        Asked(requirement=asked[name], runs=runs.get(name, {}), envelopes=envelopes.get(name, {}))
+        for name in names
     ]
 
 

@@ -33,6 +33,9 @@ HEAT = ("#3d6590", "#5a94a8", "#8fbfae", "#cfdfae", "#fbf3c9")
 FIRING = ("#e8f0f7", "#8fb4d6", "#2f6ca5", "#0f3358")
 """Colours of a degree: the darker, the more a rule fires."""
 
+LEADS = "#ffc533"
+"""Light on ink: seen on any of these, in grey too."""
+
 SMALL = 6.4
 NORMAL = 7.2
 

@@ -24,9 +24,9 @@ PIXELS = 4.0
 
 HALO = 2.6
 
-TILES = 25
+TILES = 19
 """Corners of tiles of a surface in space, each way."""
-NAME = 26.0
+NAME = 19.0
 """Width in mm of the name of an input beside it."""
 
 MOST_TIMES = 14

@@ -11,8 +11,10 @@ from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import lettering, style
 from fcl_sim.report.bands import draw_bands, draw_corridors, draw_violations, focus_on, worth_showing
 from fcl_sim.report.canvas import Axes, Dot, Figure, Line, Text, span, upright
+from fcl_sim.report.events import marks_of
 from fcl_sim.report.frame import draw_frame, room_below, scale_of, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
+from fcl_sim.report.naming import FOOT, Name, arranged, draw_names, height_of
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
 
@@ -40,6 +42,9 @@ NOTHING = 1e-9
 BUCKETS = 400
 """A line is thinned to its extremes in so many stretches: each narrower than the line."""
 
+
+STRIP = 0.6
+"""What lies between the names of events and the first axis, in mm."""
 
 STEP = 0.9
 """What changes by this part of a stretch's range from one sample to the next is a step."""
@@ -148,19 +153,26 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     """
     headings = [_heading_texts(lane, runs) for lane in shown]
     labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
-    top = legend_height(labels)
+    end = max(run.duration for run in runs)
+    happened = marks_of(runs[0].trace) if len(runs) == 1 else []
+    names = arranged([Name(each.text, each.time / end, style.FAINT) for each in happened], ACROSS)
+    legend = legend_height(labels)
+    top = legend + (height_of(names) + FOOT + STRIP if names else 0.0)
     above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
     fixed = top + sum(above) + (len(shown) - 1) * GAP + room_below("time [s]")
     whole = sum(lane.height for lane in shown)
     scale = max(SQUEEZE, min(STRETCH if labels else 1.0, (TALLEST - fixed) / whole))
     figure = Figure(fixed + scale * whole)
     draw_legend(figure, labels)
-    end = max(run.duration for run in runs)
+    if names:
+        draw_names(figure.place(LEFT, top - STRIP, ACROSS, STRIP, "events"), names)
     for lane, texts, heading in zip(shown, headings, above, strict=True):
         top += heading
         axes = figure.place(LEFT, top, ACROSS, scale * lane.height, lane.signal)
         axes.x = (0.0, end)
         _draw_lane(axes, lane, runs)
+        for each in happened:
+            axes.add(upright(axes, each.time, style.FAINT, width=0.6, dashes=(2, 1.5), z=3.5, label="event"))
         bottom = lane is shown[-1]
         up = scale_of(*axes.y, 4 if lane.judged else 3)
         draw_frame(axes, ticks(0.0, end, 9), up, ("time [s]" if bottom else "", ""), labels=bottom)

@@ -11,12 +11,10 @@ from fcl_sim.report import alone, archive, results, typeset
 from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
+from fcl_sim.report.gather import gathered
 from fcl_sim.report.pictures import Picture
-from fcl_sim.report.proved import proved
-from fcl_sim.report.provenance import origin_of
-from fcl_sim.report.rule_bases import rule_bases
 from fcl_sim.report.vector import svg
-from fcl_sim.testbench import Outcome, coverage
+from fcl_sim.testbench import Outcome
 from fcl_sim.verify.coverage import Coverage
 
 PDF = "report.pdf"
@@ -44,13 +42,7 @@ def write(  # noqa: PLR0913  a choice each
     lap: Lap | None = None,
 ) -> list[Path]:
     """Write the report of a run as `write_stored` does; `covered` is its coverage, where it is known."""
-    known = coverage(outcomes) if covered is None else covered
-    stored = Stored(
-        outcomes=tuple(outcomes),
-        covered=tuple(known),
-        proofs=tuple(proved(each.node.block, each.file) for each in rule_bases(outcomes)),
-        origin=origin_of(outcomes),
-    )
+    stored = gathered(outcomes, covered)
     return write_stored(stored, folder, progress, png=png, pages=pages, lap=lap)
 
 
@@ -76,7 +68,7 @@ def write_stored(
     try:
         with workplace(folder) as work:
             shelf = Shelf()
-            data = report_data(stored.outcomes, shelf.add, stored.covered, stored.proofs, stored.origin)
+            data = report_data(stored, shelf.add)
             done("drawing")
             said = results.text(stored.outcomes, stored.covered)
             (work / RESULTS).write_text(said, encoding="utf-8")

@@ -12,6 +12,7 @@ from fcl_sim.cli.regressions import exit_code
 from fcl_sim.report import junit, results, summary
 from fcl_sim.report.content import report_data
 from fcl_sim.report.findings import findings
+from fcl_sim.report.gather import gathered
 from fcl_sim.report.schema import json_schema
 
 VARY = """
@@ -75,7 +76,7 @@ def test_the_report_has_a_table_and_a_picture_of_the_points(outcome):
         pictures[picture.name] = picture
         return f"{folder}/{picture.name}.svg"
 
-    sections = report_data([outcome], register)["scenarios"][0]["sections"]
+    sections = report_data(gathered([outcome]), register)["scenarios"][0]["sections"]
     section = next(each for each in sections if each["title"] == "Envelope of run base")
     assert section["text"].startswith("Run base at 4 points, every combination of load_mass = 10 t and 40 t;")
     assert [(row["id"], row["passed"], row["status"]) for row in section["rows"]] == [

@@ -10,8 +10,8 @@ from matplotlib.image import imread
 from fcl_sim.judge.verdict import Status
 from fcl_sim.report import results, typeset
 from fcl_sim.report.content import report_data
+from fcl_sim.report.gather import gathered
 from fcl_sim.report.writer import RESULTS, Shelf
-from fcl_sim.testbench import coverage
 from tests.report.synthetic import CRANE, EVIL, LONG, outcome, run, trace, verdict
 
 PPI = 36
@@ -23,7 +23,7 @@ def pages(outcomes, work) -> list[np.ndarray]:
     """Return the pages of a report as pictures (rows, columns) of grey from 0 to 1."""
     shelf = Shelf()
     (work / "report.json").write_text(
-        json.dumps(report_data(outcomes, shelf.add, coverage(outcomes))), encoding="utf-8"
+        json.dumps(report_data(gathered(outcomes), shelf.add)), encoding="utf-8"
     )
     (work / RESULTS).write_text(results.text(outcomes), encoding="utf-8")
     shelf.draw(work, lambda done, total: None)

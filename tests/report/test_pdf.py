@@ -135,6 +135,28 @@ def test_page_one_says_verdict_and_what_was_run(pdf, outcomes):
         assert fact in page
 
 
+def test_what_is_signed_is_told(text):
+    for told in (
+        "none: the bench is not under version control",
+        "These values of plants are assumed",
+        "Requirement matrix",
+        "Nothing is waived.",
+        "Author",
+        "Checker",
+        "Approver",
+    ):
+        assert bare(told) in text
+
+
+def test_what_the_check_finds_stands_with_the_rule_base(text):
+    assert bare("warning FCL608 6 no rule asks for `too_far` of `distance`") in text
+
+
+def test_the_words_of_every_figure_can_be_searched(text):
+    for told in ("controller.rules", "distance far, angle zero: power pos_medium", "RULE 1", "degree [1]"):
+        assert bare(told) in text
+
+
 def test_an_expected_miss_is_told_with_its_reason(text):
     assert bare("raw_distance (expected to miss the bound) crane.distance does not settle. — PASS") in text
 
