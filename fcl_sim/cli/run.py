@@ -53,6 +53,7 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 @click.option("--no-report", is_flag=True, help="Write no reports.")
 @click.option("--png", is_flag=True, help="Write the pictures of the report as PNG, too.")
 @click.option("--pages", is_flag=True, help="Write the pages of the report as PNG, too: pages/001.png ...")
+@click.option("--html", is_flag=True, help="Write a page for a browser, too: report.html.")
 @click.option("-v", "--verbose", is_flag=True, help="Print every verdict, of however many scenarios.")
 @click.option(
     "--format",
@@ -105,6 +106,7 @@ def command(  # noqa: PLR0913  an option each
     no_report: bool,
     png: bool,
     pages: bool,
+    html: bool,
     verbose: bool,
     form: str | None,
     older: str | None,
@@ -147,9 +149,9 @@ def command(  # noqa: PLR0913  an option each
     written += _write_traces(outcomes, trace) if trace else []
     if folder:
         with progress("writing reports") as advance:
-            written += writer.write(outcomes, folder, advance, covered, png=png, pages=pages, lap=watch.lap)[
-                :1
-            ]
+            also = {"png": png, "pages": pages, "html": html}
+            made = writer.write(outcomes, folder, advance, covered, lap=watch.lap, **also)
+            written += made[: 1 + html]
     for file in written:
         click.echo(f"written: {shown(file)}", err=as_json)
     click.echo(str(watch), err=as_json)
