@@ -123,7 +123,7 @@ def _clock(trace: Trace, pack: Pack) -> Json:
     begin = int(trace.ticks[0]) if len(trace.ticks) else 0
     if not len(steps) or (steps == steps[0]).all():
         return {"begin": begin, "step": int(steps[0]) if len(steps) else 0, "count": len(trace.ticks)}
-    return {"at": pack.series(trace.time), "count": len(trace.ticks)}
+    return {"at": pack.series(trace.time, whole=True), "count": len(trace.ticks)}
 
 
 def _block(run: Run, node: FuzzyNode, bases: "_Bases", pack: Pack) -> Json:

@@ -60,8 +60,8 @@ def _curve(subject: Subject, pack: Pack) -> Json:
         "output": one_line(subject.output),
         "unit": one_line(subject.unit),
         "across": _axis(across),
-        "x": pack.series(line.x),
-        "values": pack.series(np.where(line.undefined, np.nan, line.values)),
+        "x": pack.series(line.x, whole=True),
+        "values": pack.series(np.where(line.undefined, np.nan, line.values), whole=True),
         "undefined": [[float(line.x[begin]), float(line.x[end])] for begin, end in ends],
         "note": "",
     }
@@ -104,8 +104,8 @@ def _view(surface: Surface, limits: tuple[float, float], pack: Pack) -> Json:
     shades = np.where(told, share * (SHADES - 1) + 0.5, NONE).astype(np.uint8)
     return {
         "title": surface.title,
-        "x": pack.series(surface.x),
-        "y": pack.series(surface.y),
+        "x": pack.series(surface.x, whole=True),
+        "y": pack.series(surface.y, whole=True),
         "cells": pack.plain(shades),
         "undefined": bool(surface.undefined.any()),
     }

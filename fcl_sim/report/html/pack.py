@@ -41,14 +41,14 @@ class Pack:
         self.stretches = stretches
         self._body = bytearray()
         self._series: list[Json] = []
-        self._known: dict[bytes, int] = {}
+        self._known: dict[tuple[bytes, bool], int] = {}
 
-    def series(self, values: Values) -> int:
-        """Take a series (n,); return its number."""
-        key = np.ascontiguousarray(values).tobytes()
+    def series(self, values: Values, *, whole: bool = False) -> int:
+        """Take a series (n,); return its number. A `whole` one is kept as it is."""
+        key = (np.ascontiguousarray(values).tobytes(), whole)
         if key not in self._known:
             self._known[key] = len(self._series)
-            self._series.append(self._packed(values))
+            self._series.append(self._packed(values, len(values) if whole else self.stretches))
         return self._known[key]
 
     def plain(self, values: NDArray[np.uint8]) -> list[int]:
@@ -57,14 +57,14 @@ class Pack:
         self._body += values.tobytes()
         return [begin, values.size]
 
-    def _packed(self, values: Values) -> Json:
+    def _packed(self, values: Values, stretches: int) -> Json:
         if values.size and (values == values[0]).all() and np.isfinite(values[0]):
             return {"constant": float(values[0])}
-        kept, seen = thinned(np.arange(len(values), dtype=np.float64), values, self.stretches)
+        kept, seen = thinned(np.arange(len(values), dtype=np.float64), values, stretches)
         finite = np.isfinite(seen)
         low, high = (float(seen[finite].min()), float(seen[finite].max())) if finite.any() else (0.0, 0.0)
         with np.errstate(all="ignore"):  # a span of almost nothing, or of more than a number holds
-            share = (seen / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0)
+            share = (np.where(finite, seen, low) / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0)
         steps = np.where(finite, np.nan_to_num(share) * STEPS + 0.5, NONE).astype(np.int64)
         made = {"begin": len(self._body), "count": len(seen), "low": low, "high": high}
         if len(seen) < len(values):

@@ -38,6 +38,10 @@ STRETCHES = 1_500_000
 FEWEST, MOST = 150, 4000
 """Bounds of those of one series: as many as a screen has columns, a page of a common bench has."""
 
+LIVE = (
+    "This page follows what is saved. Envelopes and baselines are left out: fcl-sim run looks at them, too."
+)
+
 Section = Callable[[Outcome, int], Markup]
 """Returns the section of a scenario by its place."""
 
@@ -47,13 +51,13 @@ def page(
     covered: Sequence[Coverage] = (),
     *,
     section: Section | None = None,
-    live: bool = False,
+    live: int | None = None,
 ) -> str:
     """Return the page of outcomes, the same text for the same ones.
 
     `covered` is how far the runs have exercised the rule bases. `section` may
-    know sections that were made before. A `live` page listens at `events` of
-    where it comes from, and is loaded anew when something is told there.
+    know sections that were made before. A page with a number `live` listens at
+    `events` of where it comes from, and is fetched anew when there is another.
     """
     bases = rule_bases(outcomes)
     by_file = {(each.name, each.file): each for each in covered}
@@ -63,7 +67,7 @@ def page(
         sections.contents(outcomes, bases),
         element(
             "main",
-            _front(outcomes),
+            _front(outcomes, is_live=live is not None),
             [made(outcome, number) for number, outcome in enumerate(outcomes)],
             [
                 sections.rule_base(base, number, by_file.get((base.node.block.name, base.file.name)))
@@ -95,7 +99,7 @@ def stretches_for(outcomes: Sequence[Outcome]) -> int:
     return min(max(STRETCHES // max(series, 1), FEWEST), MOST)
 
 
-def _front(outcomes: Sequence[Outcome]) -> Markup:
+def _front(outcomes: Sequence[Outcome], *, is_live: bool) -> Markup:
     status = str(summary.overall(outcomes))
     return element(
         "header",
@@ -107,6 +111,7 @@ def _front(outcomes: Sequence[Outcome]) -> Markup:
             element("p", summary.sentence(outcomes)),
             class_=f"verdict {sections.COLOURS.get(status, 'doubtful')}",
         ),
+        element("p", LIVE, class_="tally") if is_live else None,
         [element("p", each, class_="ending") for each in summary.endings(outcomes)],
         element(
             "noscript",
@@ -117,13 +122,13 @@ def _front(outcomes: Sequence[Outcome]) -> Markup:
     )
 
 
-def _document(title: str, body: Markup, *, live: bool) -> str:
+def _document(title: str, body: Markup, *, live: int | None) -> str:
     style, script = _style(), _script()
     policy = [
         "default-src 'none'",
         f"style-src '{_digest(style)}'",
         f"script-src '{_digest(script)}'",
-        "connect-src 'self'" if live else "connect-src 'none'",
+        "connect-src 'none'" if live is None else "connect-src 'self'",
         "base-uri 'none'",
         "form-action 'none'",
     ]

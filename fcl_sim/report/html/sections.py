@@ -206,7 +206,7 @@ def _changed(rows: Sequence[beside.Beside]) -> Markup:
         [one_line(each) for each in (row.run, row.about, row.old, row.new, row.change, row.verdict)]
         for row in rows
     ]
-    return table(CHANGES, cells)
+    return table(CHANGES, cells, kind="changes")
 
 
 def _baselines(outcome: Outcome, runs: Sequence[Run]) -> Markup | None:

@@ -3,50 +3,82 @@
 const WIDE = 1000;
 const FAR = 1.5;
 const ROOM = 0.08;
+const MOST_NAMED = 8;
+const LETTERS = 0.95; // height of a label, in the unit of the heights in page.css
 
-/** A lane is drawn on a plane of its own, WIDE each way; what of it is seen is its view box. */
+/** Put the two labels that lie closest together into one. */
+function joinNearest(labels) {
+  const gaps = labels.slice(1).map((each, i) => each.part - labels[i].part);
+  const at = gaps.indexOf(Math.min(...gaps));
+  labels[at].text += `, ${labels[at + 1].text}`;
+  labels.splice(at + 1, 1);
+}
+
+/** A lane is drawn on a plane of its own, WIDE each way, once it is seen; what of it is seen is its view box. */
 class Lane {
   constructor(scenario, told) {
     this.scenario = scenario;
     this.told = told;
-    this.lines = scenario.runs.map((run) => run.line(told.signal));
-    this.older = scenario.older.map((run) => run.line(told.signal));
-    const extents = [...this.lines, ...this.older].filter(Boolean).map((line) => line.extent(0, scenario.end));
-    const low = Math.min(...extents.map((each) => each[0]));
-    const high = Math.max(...extents.map((each) => each[1]));
-    this.whole = Number.isFinite(high - low) && high > low ? [low, high] : [low - 1 || 0, low + 1 || 1];
-    if (told.focus) this.whole = told.focus;
-    this.element = this.build();
-  }
-
-  build() {
-    const { told } = this;
     this.readings = html("span", { class: "readings" });
     this.up = html("div", { class: "lane-up", "aria-hidden": "true" });
     this.labels = html("div", { class: "lane-labels", "aria-hidden": "true" });
-    this.picture = svg("svg", { preserveAspectRatio: "none", role: "img" }, svg("title"));
+    this.plot = html("div", { class: "lane-plot" });
+    const body = html("div", { class: "lane-body" }, this.up, this.plot, this.labels);
+    this.element = html("div", { class: told.judged ? "lane judged" : "lane" }, this.head(), body);
+  }
+
+  head() {
+    const { names, unit, focus } = this.told;
+    const [first, ...others] = names;
+    const more = focus ? "close to its bounds" : others.map((name) => `= ${name}`).join(" ");
+    return html(
+      "div",
+      { class: "lane-head" },
+      html("span", { class: "lane-name" }, first, html("span", { class: "unit" }, ` [${unit || "1"}]`)),
+      more ? html("span", { class: "faint" }, more) : null,
+      this.readings,
+    );
+  }
+
+  /** Draw what stays as it is: the lines of all runs, and what is asked of them. */
+  ink() {
+    const { scenario, told } = this;
+    this.lines = scenario.runs.map((run) => run.line(told.signal));
+    this.older = scenario.older.map((run) => run.line(told.signal));
+    this.whole = told.focus || this.extent([...this.lines, ...this.older].filter(Boolean));
     this.grid = svg("path", { class: "grid" });
-    this.picture.append(this.grid, ...told.bands.map((band) => this.band(band)));
-    this.picture.append(...told.corridors.map((corridor) => this.corridor(corridor)));
     this.groups = this.lines.map((line, index) => this.run(line, `run ${look(index)}`));
-    this.olderGroups = this.older.map((line) => this.run(line, "older"));
-    this.picture.append(...this.olderGroups, ...[...this.groups].reverse());
+    this.olderGroups = this.older.map((line, i) => this.run(line, this.olderLook(i)));
+    this.picture = svg(
+      "svg",
+      { preserveAspectRatio: "none", role: "img" },
+      svg("title"),
+      this.grid,
+      told.bands.map((band) => this.band(band)),
+      told.corridors.map((corridor) => this.corridor(corridor)),
+      this.olderGroups,
+      [...this.groups].reverse(),
+    );
     this.under = html("div", { class: "under" });
+    this.over = html("div", { class: "over" });
     this.idle = svg("svg", { class: "idle", preserveAspectRatio: "none", "aria-hidden": "true" }, svg("path"));
     this.cursor = html("div", { class: "cursor" });
     this.dots = this.lines.map((_, index) => html("i", { class: `dot ${look(index)}` }));
-    this.plot = html("div", { class: "lane-plot" }, this.under, this.picture, this.idle, this.cursor, this.dots);
-    const [first, ...others] = told.names;
-    const head = html(
-      "div",
-      { class: "lane-head" },
-      html("span", { class: "lane-name" }, first, html("span", { class: "unit" }, ` [${told.unit || "1"}]`)),
-      told.focus ? html("span", { class: "faint" }, "close to its bounds") : null,
-      others.length && !told.focus ? html("span", { class: "faint" }, others.map((name) => `= ${name}`).join(" ")) : null,
-      this.readings,
-    );
-    const body = html("div", { class: "lane-body" }, this.up, this.plot, this.labels);
-    return html("div", { class: told.judged ? "lane judged" : "lane" }, head, body);
+    this.plot.replaceChildren(this.under, this.picture, this.over, this.idle, this.cursor, ...this.dots);
+  }
+
+  /** Return how a run of the older version looks: in the colour of that which takes its place. */
+  olderLook(index) {
+    const { mark } = this.scenario.older[index];
+    return mark < 0 ? "older" : `older run-${mark % 7}`;
+  }
+
+  extent(lines) {
+    const extents = lines.map((line) => line.extent(0, this.scenario.end));
+    const low = Math.min(...extents.map((each) => each[0]));
+    const high = Math.max(...extents.map((each) => each[1]));
+    if (high > low && Number.isFinite(high - low)) return [low, high];
+    return Number.isFinite(low) ? [low - 1, low + 1] : [0, 1];
   }
 
   across(time) {
@@ -115,6 +147,7 @@ class Lane {
 
   /** Draw what depends on the window of time and on the runs that are shown. */
   draw(state) {
+    if (!this.picture) this.ink();
     const [from, to] = state.window;
     const isShown = (index) => state.shown.has(index) && this.lines[index];
     this.groups.forEach((group, index) => group.classList.toggle("off", !isShown(index)));
@@ -179,8 +212,9 @@ class Lane {
       const beyond = middle < this.low ? ` \u2193${number(middle, 3)}` : middle > this.high ? ` \u2191${number(middle, 3)}` : "";
       return { part: clamped(this.part(middle), 0.04, 0.96), text: band.ids.join(", ") + beyond };
     });
-    const least = 15 / (this.plot.clientHeight || 90);
     wanted.sort((one, other) => one.part - other.part);
+    while (wanted.length > MOST_NAMED) joinNearest(wanted);
+    const least = Math.min(LETTERS / (this.told.judged ? 6.5 : 4), 0.92 / Math.max(wanted.length - 1, 1));
     wanted.forEach((each, i) => {
       if (i > 0) each.part = Math.max(each.part, wanted[i - 1].part + least);
     });
@@ -204,27 +238,26 @@ class Lane {
       if (top !== undefined) made.style.top = `${top}px`;
       return made;
     };
-    const found = [];
+    const under = [];
+    const over = [];
     let bars = 0;
     this.scenario.runs.forEach((run, index) => {
       if (!isShown(index)) return;
       const broken = run.told.violations.filter((each) => each.signals.some((name) => run.isSame(name, this.told.signal)));
       for (const each of broken) {
-        if (index === state.chosen) found.push(place(each.from, each.to, "violated"));
-        found.push(place(each.from, each.to, `violation ${look(index)}`, 1 + 4 * bars));
+        if (index === state.chosen) under.push(place(each.from, each.to, "violated"));
+        over.push(place(each.from, each.to, `violation ${look(index)}`, 1 + 4 * bars));
       }
       bars += broken.length ? 1 : 0;
-      if (index === state.chosen && run.told.fault) {
-        found.push(place(run.told.fault.time, this.scenario.end, "rest"));
-        const mark = place(run.told.fault.time, run.told.fault.time, "fault");
-        if (mark) {
-          const late = run.told.fault.time > (from + to) / 2;
-          mark.append(html("span", { class: late ? "late" : "" }, `FAULT at ${number(run.told.fault.time)}\u00a0s`));
-        }
-        found.push(mark);
-      }
+      if (index !== state.chosen || !run.told.fault) return;
+      const { time } = run.told.fault;
+      under.push(place(time, this.scenario.end, "rest"));
+      const mark = place(time, time, "fault");
+      if (mark) mark.append(html("span", { class: time > (from + to) / 2 ? "late" : "" }, `FAULT at ${number(time)}\u00a0s`));
+      over.push(mark);
     });
-    this.under.replaceChildren(...found.filter(Boolean));
+    this.under.replaceChildren(...under.filter(Boolean));
+    this.over.replaceChildren(...over.filter(Boolean));
   }
 
   /** Mark at the foot of an output when no rule is active in the run that was chosen. */

@@ -18,8 +18,11 @@ async function drawAll(memories) {
 function follow() {
   const banner = html("p", { class: "banner off", role: "status" });
   document.body.prepend(banner);
-  const source = new EventSource("events");
-  source.addEventListener("changed", () => refresh());
+  const source = new EventSource(`events?${document.body.dataset.live}`);
+  source.addEventListener("changed", () => {
+    banner.classList.add("off");
+    refresh();
+  });
   source.addEventListener("broken", (event) => {
     say(banner, JSON.parse(event.data));
     banner.classList.remove("off");
@@ -36,7 +39,6 @@ function follow() {
     explorers.clear();
     for (const part of ["main", "nav"]) document.querySelector(part).replaceWith(fresh.querySelector(part));
     document.title = fresh.title;
-    banner.classList.add("off");
     await drawAll(memories);
     window.scrollTo({ top, behavior: "instant" });
     document.body.dataset.seen = Number(document.body.dataset.seen || 0) + 1;

@@ -8,11 +8,19 @@ const PALETTE = Array.from({ length: SHADES }, (_, shade) => {
   const place = (shade / (SHADES - 1)) * (HEAT.length - 1);
   const first = Math.min(Math.floor(place), HEAT.length - 2);
   const channel = (colour, at) => parseInt(colour.slice(at, at + 2), 16);
-  return [1, 3, 5].map((at) => {
+  const [red, green, blue] = [1, 3, 5].map((at) => {
     const [low, high] = [channel(HEAT[first], at), channel(HEAT[first + 1], at)];
     return Math.round(low + (place - first) * (high - low));
   });
+  return pixel(red, green, blue, 255);
 });
+const STRIPE = pixel(110, 120, 130, 190);
+const BETWEEN = pixel(110, 120, 130, 28);
+
+/** Return a colour as it lies in the memory of an image, on the machines that there are. */
+function pixel(red, green, blue, alpha) {
+  return ((alpha << 24) | (blue << 16) | (green << 8) | red) >>> 0;
+}
 
 /** What an output is over one input or two; of a run that uses it, where it was and where it is. */
 class Characteristic {
@@ -113,13 +121,12 @@ class Characteristic {
     const columns = cellsOf(x, width);
     const rows = cellsOf(y, height).reverse();
     const image = new ImageData(width, height);
+    const pixels = new Uint32Array(image.data.buffer);
     for (let row = 0; row < height; row++) {
       for (let column = 0; column < width; column++) {
         const shade = cells[rows[row] * (x.length - 1) + columns[column]];
-        const at = 4 * (row * width + column);
-        const isStripe = (row + column) % 10 < 2;
-        const [red, green, blue] = shade < SHADES ? PALETTE[shade] : [110, 120, 130];
-        image.data.set([red, green, blue, shade < SHADES ? 255 : isStripe ? 190 : 28], at);
+        const blank = (row + column) % 10 < 2 ? STRIPE : BETWEEN;
+        pixels[row * width + column] = shade < SHADES ? PALETTE[shade] : blank;
       }
     }
     this.canvas.getContext("2d").putImageData(image, 0, 0);
@@ -129,14 +136,13 @@ class Characteristic {
     const x = this.pack.series(this.told.x).values;
     const series = this.pack.series(this.told.values);
     const values = series.constant === undefined ? series.values : new Float64Array(x.length).fill(series.constant);
-    const kept = series.kept || null;
     const told = values.filter((each) => !Number.isNaN(each));
     const [low, high] = told.length ? [told.reduce((a, b) => Math.min(a, b)), told.reduce((a, b) => Math.max(a, b))] : [0, 1];
     const room = 0.06 * (high - low) || 0.1 * Math.abs(high) || 1;
     this.limits = [x[0], x[x.length - 1], low - room, high + room];
     let [path, pen] = ["", "M"];
     values.forEach((value, i) => {
-      if (!Number.isNaN(value)) path += pen + this.point(x[kept ? kept[i] : i], value);
+      if (!Number.isNaN(value)) path += pen + this.point(x[i], value);
       pen = Number.isNaN(value) ? "M" : "L";
     });
     const areas = this.told.undefined.map(([begin, end]) => {

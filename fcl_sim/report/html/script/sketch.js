@@ -11,7 +11,7 @@ class Sketch {
     this.title = svg("title");
     const parts = svg("g", { transform: "scale(1 -1)" }, told.parts.map((part) => this.part(part)));
     const box = `${left} ${-top} ${right - left} ${top - foot}`;
-    this.picture = svg("svg", { viewBox: box, role: "img" }, this.title, parts, ...this.ruler(left, right, foot));
+    this.picture = svg("svg", { viewBox: box, role: "img" }, this.title, parts, ...this.ruler(left, right, foot, top));
     this.element = html("figure", { class: "sketch" }, this.picture, html("figcaption", { class: "note" }, told.about));
   }
 
@@ -26,10 +26,10 @@ class Sketch {
   }
 
   /** Return a length of a round number of metres, drawn at the foot. */
-  ruler(left, right, foot) {
+  ruler(left, right, foot, top) {
     const length = marks(0, (right - left) / 3, 2).at(-1);
     if (!length || !(length.at > 0)) return [];
-    const size = (right - left) / 40;
+    const size = Math.max((right - left) / 40, (top - foot) / 25);
     const at = [right - length.at - size, -foot - size];
     const line = svg("path", { class: "ruler", d: `M${at[0]} ${at[1] - size / 2}v${size / 2}h${length.at}v${-size / 2}` });
     const text = svg("text", { x: at[0] + length.at / 2, y: at[1] - size / 2, "font-size": 1.15 * size }, `${length.label} m`);

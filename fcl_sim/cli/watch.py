@@ -1,0 +1,189 @@
+"""`fcl-sim run --watch`: what was saved is run at once, and its curves are drawn over those before."""
+
+import time
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import count
+from pathlib import Path
+from typing import NoReturn
+
+import click
+
+from fcl_sim import testbench
+from fcl_sim.cli.against import print_changes
+from fcl_sim.cli.doors import say
+from fcl_sim.cli.table import console, print_runs
+from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.judge.verdict import worst
+from fcl_sim.report import summary
+from fcl_sim.report.html import page
+from fcl_sim.report.html.live import Live, served
+from fcl_sim.report.html.markup import Markup
+from fcl_sim.report.html.page import scenario_section, stretches_for
+from fcl_sim.report.provenance import inputs_of
+from fcl_sim.scenario.document import shown
+from fcl_sim.scenario.reader import read
+from fcl_sim.testbench import Against, Outcome
+
+GLANCE = 0.05
+"""Seconds between two looks at the files."""
+
+MOST_GLANCES = 40
+"""After so many looks a file that is gone, or is written all the time, is taken as it is."""
+
+Stamp = tuple[int, int]
+"""When a file was written, and how long it is."""
+
+
+def watch(files: Sequence[Path], overrides: Mapping[str, object]) -> NoReturn:
+    """Run scenarios, show them on a page, and again whenever a file that they depend on is saved.
+
+    Nothing is written. Ctrl-C ends it.
+    """
+    bench = Bench(files, overrides)
+    live, versions = Live(), count(1)
+    broken = bench.run(files)
+    print_runs(list(summary.run_rows(bench.known)), console())
+    first = next(versions)
+    live.show(first, bench.page(first))
+    _warn(live, broken)
+    with served(live) as address:
+        click.echo(f"\nopen {address} ({len(bench.inputs)} files are watched; Ctrl-C ends it)")
+        for changed in saved(bench):
+            begun = time.perf_counter()
+            affected = bench.affected(changed)
+            before = [bench.outcomes.get(file) for file in affected]
+            broken = bench.run(affected, ", ".join(sorted(each.name for each in changed)))
+            pairs = zip(before, [bench.outcomes.get(file) for file in affected], strict=True)
+            new = [now for old, now in pairs if now is not None and now is not old]
+            if new:
+                version = next(versions)
+                live.show(version, bench.page(version))
+            took = time.perf_counter() - begun
+            click.echo(f"\n{time.strftime('%H:%M:%S')} {_label(changed)} was saved: {took:.2f} s")
+            _warn(live, broken)
+            for outcome in new:
+                print_changes(outcome, console())
+    raise AssertionError  # the files are watched until somebody interrupts
+
+
+@dataclass
+class Bench:
+    """Scenarios that are watched: what came of each last time, and what each depends on."""
+
+    files: Sequence[Path]
+    overrides: Mapping[str, object]
+    outcomes: dict[Path, Outcome | None] = field(default_factory=dict)
+    depends: dict[Path, set[Path]] = field(default_factory=dict)
+    sections: dict[Path, tuple[Outcome, int, Markup]] = field(default_factory=dict)
+
+    @property
+    def known(self) -> list[Outcome]:
+        """What is known of the scenarios, in their order; those that never could be run are left out."""
+        found = (self.outcomes.get(file) for file in self.files)
+        return [each for each in found if each is not None]
+
+    @property
+    def inputs(self) -> set[Path]:
+        """The files that any scenario depends on."""
+        return set().union(*self.depends.values())
+
+    def affected(self, changed: Iterable[Path]) -> list[Path]:
+        """Return the scenarios that depend on any of these files."""
+        return [file for file in self.files if not self.depends[file].isdisjoint(changed)]
+
+    def run(self, files: Iterable[Path], label: str = "") -> list[Diagnostic]:
+        """Run scenarios, each beside what came of it before; return what is wrong with the others."""
+        faults: dict[Diagnostic, None] = {}
+        for file in files:
+            self.depends.setdefault(file, set()).add(file)
+            try:
+                made = _nominal(file, self.overrides)
+            except InputFault as fault:
+                faults.update(dict.fromkeys(each.within(str(file)) for each in fault.diagnostics))
+                self.depends[file] |= {
+                    Path(place.name) for each in fault.diagnostics for place in each.places
+                }
+                continue
+            before = self.outcomes.get(file)
+            if before is not None:
+                made = replace(made, against=Against(label=f"before {label} was saved", runs=before.variants))
+            self.outcomes[file] = made
+            self.depends[file] = {file, *(each.path for each in inputs_of(made))}
+        return list(faults)
+
+    def page(self, version: int) -> str:
+        """Return the page, with the sections of what did not change as they were."""
+        stretches = stretches_for(self.known)
+        draw = scenario_section(stretches)
+        files = [file for file in self.files if self.outcomes.get(file) is not None]
+
+        def section(outcome: Outcome, number: int) -> Markup:
+            file = files[number]
+            kept = self.sections.get(file)
+            if kept is None or kept[0] is not outcome or kept[1] != number:
+                kept = self.sections[file] = (outcome, number, draw(outcome, number))
+            return kept[2]
+
+        return page(self.known, section=section, live=version)
+
+
+def _nominal(file: Path, overrides: Mapping[str, object]) -> Outcome:
+    """Return what comes of a scenario beside no baseline and without envelopes: they take too long to wait for."""
+    scenario = read(file, overrides)
+    prepared = [replace(each, envelope=None) for each in testbench.prepare(scenario, is_compared=False)]
+    runs = testbench.run_together(prepared)
+    verdict = worst([each.verdict for each in runs.values()])
+    return Outcome(scenario=scenario, variants=runs, verdict=verdict)
+
+
+def _warn(live: Live, broken: Sequence[Diagnostic]) -> None:
+    """Tell here and above the page what cannot be run; it stays as it was."""
+    if broken:
+        text = str(InputFault(broken))
+        say(text)
+        live.warn(text)
+
+
+def _label(changed: Iterable[Path]) -> str:
+    return ", ".join(sorted(shown(each) for each in changed))
+
+
+def saved(bench: Bench) -> Iterator[set[Path]]:
+    """Yield the files that were saved, once they are whole, for ever."""
+    stamps = _stamps(bench.inputs)
+    while True:
+        time.sleep(GLANCE)
+        now = _stamps(bench.inputs)
+        changed = {file for file in now if now[file] != stamps.get(file, now[file])}
+        if not changed:
+            stamps = now
+            continue
+        before, now = now, _settled(bench, now)
+        changed |= {file for file in now if now[file] != before.get(file, now[file])}
+        stamps = now
+        yield changed
+
+
+def _settled(bench: Bench, seen: Mapping[Path, Stamp | None]) -> dict[Path, Stamp | None]:
+    """Wait until nothing is being written: an editor may empty a file first, or put another in its place."""
+    now = dict(seen)
+    for _ in range(MOST_GLANCES):
+        time.sleep(GLANCE / 2.0)
+        before, now = now, _stamps(bench.inputs)
+        is_whole = all(now[file] for file in before if seen.get(file) or before[file])
+        if now == before and is_whole:
+            break
+    return now
+
+
+def _stamps(files: Iterable[Path]) -> dict[Path, Stamp | None]:
+    return {file: _stamp(file) for file in files}
+
+
+def _stamp(file: Path) -> Stamp | None:
+    try:
+        told = file.stat()
+    except OSError:
+        return None
+    return told.st_mtime_ns, told.st_size
