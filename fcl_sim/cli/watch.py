@@ -129,10 +129,10 @@ class Bench:
 
 
 def _nominal(file: Path, overrides: Mapping[str, object]) -> Outcome:
-    """Return what comes of a scenario beside no baseline and without envelopes: they take too long to wait for."""
+    """Return what comes of a scenario without envelopes and baselines: one does not want to wait for them."""
     scenario = read(file, overrides)
-    prepared = [replace(each, envelope=None) for each in testbench.prepare(scenario, is_compared=False)]
-    runs = testbench.run_together(prepared)
+    alone = {variant: replace(setup, vary=()) for variant, setup in scenario.variants.items()}
+    runs = testbench.run_together(testbench.prepare(replace(scenario, variants=alone), is_compared=False))
     verdict = worst([each.verdict for each in runs.values()])
     return Outcome(scenario=scenario, variants=runs, verdict=verdict)
 

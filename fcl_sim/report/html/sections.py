@@ -50,7 +50,7 @@ def table(headings: Sequence[str], rows: Sequence[Row], caption: str = "", kind:
 
 
 def _scrolled(made: Markup, label: str) -> Markup:
-    return element("div", made, class_="wide", tabindex="0", role="region", aria_label=label)
+    return element("div", made, class_="wide", tabindex="0", role="group", aria_label=label)
 
 
 def facts(rows: Sequence[dict[str, Any]]) -> Markup:

@@ -28,7 +28,8 @@ function decoded(body, made) {
   const { begin, count, low, high } = made;
   const kept = made.thinned ? unfolded(body, begin, count, false) : null;
   const steps = unfolded(body, begin + (made.thinned ? 2 * count : 0), count, true);
-  const values = Float64Array.from(steps, (step) => (step === NONE ? NaN : low + (step / STEPS) * (high - low)));
+  const value = (part) => (1 - part) * low + part * high;
+  const values = Float64Array.from(steps, (step) => (step === NONE ? NaN : value(step / STEPS)));
   return { kept, values, grain: (high - low) / STEPS };
 }
 

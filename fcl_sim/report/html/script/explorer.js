@@ -63,7 +63,7 @@ class Explorer {
     this.state = { time: 0, hovered: null, window: [0, end], shown: everything, chosen: 0, columns: 8 };
     this.controls = new Controls(this.scenario, this);
     this.plots = new Plots(this.scenario, this);
-    this.side = html("div", { class: "side", tabindex: 0, role: "region", "aria-label": "Plant and characteristic" });
+    this.side = html("div", { class: "side", tabindex: 0, role: "group", "aria-label": "Plant and characteristic" });
     this.under = html("div");
     place.replaceChildren(this.controls.element, html("div", { class: "panes" }, html("div", {}, this.plots.element, this.under), this.side));
     if (before) this.restore(before);

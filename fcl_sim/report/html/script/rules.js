@@ -13,7 +13,7 @@ class Rules {
     const body = html("tbody", {}, this.rows.map((row) => row.element));
     this.element = html(
       "div",
-      { class: "wide rules", tabindex: 0, role: "region", "aria-label": `Rules of ${block.name}` },
+      { class: "wide rules", tabindex: 0, role: "group", "aria-label": `Rules of ${block.name}` },
       html("table", {}, this.caption, html("thead", {}, html("tr", {}, heads)), body),
     );
   }
