@@ -119,7 +119,7 @@ def scenario(outcome: Outcome, number: int, data: str) -> Markup:
     judged = [verdict for run in runs for verdict in summary.verdicts_of(run)]
     return element(
         "section",
-        element("h2", title, " ", badge(str(outcome.verdict)), id=f"h{number}"),
+        element("h2", title, " ", badge(str(outcome.verdict))),
         element("p", f"{counted(len(runs), 'run')}: {summary.tally(judged)}.", class_="tally"),
         [element("p", each) for each in paragraphs(outcome.scenario.description)],
         _requirements(runs),
@@ -128,7 +128,6 @@ def scenario(outcome: Outcome, number: int, data: str) -> Markup:
         _further(outcome, runs),
         class_="scenario",
         id=f"s{number}",
-        aria_labelledby=f"h{number}",
     )
 
 
@@ -254,13 +253,12 @@ def rule_base(base: Base, number: int, covered: Coverage | None) -> Markup:
     ]
     return element(
         "section",
-        element("h2", _base_title(base), id=f"k{number}"),
+        element("h2", _base_title(base)),
         facts(rows),
         None if covered is None else _coverage(covered),
         _details("The text", element("pre", plain(base.file.text).rstrip(), tabindex="0")),
         class_="base",
         id=f"r{number}",
-        aria_labelledby=f"k{number}",
     )
 
 
