@@ -33,6 +33,7 @@ MOST_GLANCES = 40
 
 Stamp = tuple[int, int]
 """When a file was written, and how long it is."""
+Stamps = dict[Path, Stamp | None]
 
 
 def watch(files: Sequence[Path], overrides: Mapping[str, object]) -> NoReturn:
@@ -155,29 +156,35 @@ def saved(bench: Bench) -> Iterator[set[Path]]:
     while True:
         time.sleep(GLANCE)
         now = _stamps(bench.inputs)
-        changed = {file for file in now if now[file] != stamps.get(file, now[file])}
+        changed = _changed(stamps, now)
         if not changed:
             stamps = now
             continue
-        before, now = now, _settled(bench, now)
-        changed |= {file for file in now if now[file] != before.get(file, now[file])}
-        stamps = now
-        yield changed
+        whole = _settled(bench, stamps)
+        yield changed | _changed(now, whole)
+        stamps = whole
 
 
-def _settled(bench: Bench, seen: Mapping[Path, Stamp | None]) -> dict[Path, Stamp | None]:
+def _changed(before: Stamps, now: Stamps) -> set[Path]:
+    return {file for file in now if now[file] != before.get(file, now[file])}
+
+
+def _settled(bench: Bench, whole: Stamps) -> Stamps:
     """Wait until nothing is being written: an editor may empty a file first, or put another in its place."""
-    now = dict(seen)
+    now = dict(whole)
     for _ in range(MOST_GLANCES):
         time.sleep(GLANCE / 2.0)
         before, now = now, _stamps(bench.inputs)
-        is_whole = all(now[file] for file in before if seen.get(file) or before[file])
-        if now == before and is_whole:
+        if now == before and not any(_is_lacking(now[file]) > _is_lacking(whole.get(file)) for file in now):
             break
     return now
 
 
-def _stamps(files: Iterable[Path]) -> dict[Path, Stamp | None]:
+def _is_lacking(stamp: Stamp | None) -> bool:
+    return stamp is None or stamp[1] == 0
+
+
+def _stamps(files: Iterable[Path]) -> Stamps:
     return {file: _stamp(file) for file in files}
 
 
