@@ -1,13 +1,17 @@
 """The page in a headless Chromium, where there is one: it is quiet, alone, moves, and can be used by keys."""
 
 import json
+from dataclasses import replace
 from importlib.resources import files
 
 import pytest
 
+from fcl_sim.report.html import page as page_text
+from fcl_sim.report.html.live import Live, served
+from fcl_sim.testbench import Against
 from tests.report.html.browser import CHROMIUM, browser
 from tests.report.html.pages import page_of
-from tests.report.synthetic import EVIL
+from tests.report.synthetic import EVIL, outcome, run
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium; CHROMIUM names one")
 
@@ -162,6 +166,31 @@ def test_every_control_is_reached_and_used_by_keys(page):
     page.wait(f"{of(DRIVEN, 'output')}.textContent !== '60.0 s'")
     page.press(" ")
     assert text(page, DRIVEN, ".time button") == "Play"
+
+
+def test_a_live_page_follows_what_is_shown_and_keeps_what_was_chosen(tab, tmp_path):
+    live = Live()
+    before = outcome(tmp_path, run(tmp_path), run(tmp_path, "other"))
+    after = replace(before, against=Against(label="before it was saved", runs=before.variants))
+    live.show(1, page_text([before], live=1))
+    with served(live, port=0) as address:
+        tab.look()
+        tab.said.clear()
+        tab.open(address)
+        slide(tab, FIRST, 12)
+        tab.value(f"{of(FIRST, 'fieldset label:nth-of-type(2) input')}.click()")
+        live.show(2, page_text([after], live=2))
+        tab.wait("document.body.dataset.seen === '1'")
+        assert text(tab, FIRST, "output") == "12.0 s"
+        assert not tab.value(f"{of(FIRST, 'fieldset label:nth-of-type(2) input')}.checked")
+        assert tab.value(f"{of(FIRST, '.lane-plot > svg')}.querySelectorAll('.older:not(.off)').length") == 1
+        assert "before it was saved" in text(tab, FIRST, "fieldset")
+        live.warn("crane.fcl:3:1: error <b>")
+        tab.wait("document.querySelector('.banner:not(.off)')?.textContent === 'crane.fcl:3:1: error <b>'")
+        live.show(3, page_text([after], live=3))
+        tab.wait("document.querySelector('.banner').classList.contains('off')")
+    tab.wait("document.querySelector('.banner').textContent.startsWith('fcl-sim has ended')")
+    assert tab.said == []
 
 
 def test_names_appear_literally(page):
