@@ -246,7 +246,7 @@ class Lane {
       const broken = run.told.violations.filter((each) => each.signals.some((name) => run.isSame(name, this.told.signal)));
       for (const each of broken) {
         if (index === state.chosen) under.push(place(each.from, each.to, "violated"));
-        over.push(place(each.from, each.to, `violation ${look(index)}`, 1 + 4 * bars));
+        over.push(place(each.from, each.to, `violation ${look(index)}`, 1 + 3 * bars));
       }
       bars += broken.length ? 1 : 0;
       if (index !== state.chosen || !run.told.fault) return;
