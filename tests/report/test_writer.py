@@ -66,10 +66,10 @@ def test_the_page_for_a_browser_is_written_on_request_and_that_of_an_older_repor
     small, tmp_path
 ):
     written = write(small, tmp_path / "reports", html=True)
-    assert [each.name for each in written] == ["report.pdf", "report.html", "results.json"]
+    assert [each.name for each in written] == ["report.pdf", "report.html", "results.json", "results.npz"]
     assert written[1].read_text("utf-8").startswith("<!DOCTYPE html>")
     write(small, tmp_path / "reports")
-    assert sorted(everything(tmp_path / "reports")) == ["report.pdf", "results.json"]
+    assert sorted(everything(tmp_path / "reports")) == ["report.pdf", "results.json", "results.npz"]
 
 
 def test_what_is_done_is_told_in_its_order(small, tmp_path):
