@@ -12,9 +12,9 @@ import click
 from fcl_sim import testbench
 from fcl_sim.cli.against import print_changes
 from fcl_sim.cli.doors import say
+from fcl_sim.cli.progress import Advance, progress
 from fcl_sim.cli.table import console, print_runs
 from fcl_sim.diagnostics import Diagnostic, InputFault
-from fcl_sim.judge.verdict import worst
 from fcl_sim.report import summary
 from fcl_sim.report.html import page
 from fcl_sim.report.html.live import Live, served
@@ -24,6 +24,7 @@ from fcl_sim.report.provenance import inputs_of
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.reader import read
 from fcl_sim.testbench import Against, Outcome
+from fcl_sim.testbench.running import outcome_of
 
 GLANCE = 0.05
 """Seconds between two looks at the files."""
@@ -41,31 +42,41 @@ def watch(files: Sequence[Path], overrides: Mapping[str, object]) -> NoReturn:
 
     Nothing is written. Ctrl-C ends it.
     """
-    bench = Bench(files, overrides)
-    live, versions = Live(), count(1)
-    broken = bench.run(files)
+    bench, live, versions = Bench(files, overrides), Live(), count(1)
+    with progress("simulating") as advance:
+        broken = [fault for _, faults in bench.run(files, advance=advance) for fault in faults]
     print_runs(list(summary.run_rows(bench.known)), console())
-    first = next(versions)
-    live.show(first, bench.page(first))
+    _show(bench, live, next(versions))
     _warn(live, broken)
     with served(live) as address:
         click.echo(f"\nopen {address} ({len(bench.inputs)} files are watched; Ctrl-C ends it)")
         for changed in saved(bench):
-            begun = time.perf_counter()
-            affected = bench.affected(changed)
-            before = [bench.outcomes.get(file) for file in affected]
-            broken = bench.run(affected, ", ".join(sorted(each.name for each in changed)))
-            pairs = zip(before, [bench.outcomes.get(file) for file in affected], strict=True)
-            new = [now for old, now in pairs if now is not None and now is not old]
-            if new:
-                version = next(versions)
-                live.show(version, bench.page(version))
+            begun, new, broken = time.perf_counter(), [], []
+            label = ", ".join(sorted(each.name for each in changed))
+            for outcome, faults in bench.run(bench.affected(changed), label):
+                broken += faults
+                if outcome is not None:
+                    new.append(outcome)
+                    _show(bench, live, next(versions))
             took = time.perf_counter() - begun
-            click.echo(f"\n{time.strftime('%H:%M:%S')} {_label(changed)} was saved: {took:.2f} s")
+            names = ", ".join(sorted(shown(each) for each in changed))
+            click.echo(f"\n{time.strftime('%H:%M:%S')} {names} was saved: {took:.2f} s")
             _warn(live, broken)
             for outcome in new:
                 print_changes(outcome, console())
     raise AssertionError  # the files are watched until somebody interrupts
+
+
+def _show(bench: "Bench", live: Live, version: int) -> None:
+    live.show(version, bench.page(version))
+
+
+def _warn(live: Live, broken: Sequence[Diagnostic]) -> None:
+    """Tell here and above the page what cannot be run; it stays as it was."""
+    if broken:
+        text = str(InputFault(dict.fromkeys(broken)))
+        say(text)
+        live.warn(text)
 
 
 @dataclass
@@ -74,15 +85,14 @@ class Bench:
 
     files: Sequence[Path]
     overrides: Mapping[str, object]
-    outcomes: dict[Path, Outcome | None] = field(default_factory=dict)
+    outcomes: dict[Path, Outcome] = field(default_factory=dict)
     depends: dict[Path, set[Path]] = field(default_factory=dict)
     sections: dict[Path, tuple[Outcome, int, Markup]] = field(default_factory=dict)
 
     @property
     def known(self) -> list[Outcome]:
         """What is known of the scenarios, in their order; those that never could be run are left out."""
-        found = (self.outcomes.get(file) for file in self.files)
-        return [each for each in found if each is not None]
+        return [self.outcomes[file] for file in self.files if file in self.outcomes]
 
     @property
     def inputs(self) -> set[Path]:
@@ -93,31 +103,34 @@ class Bench:
         """Return the scenarios that depend on any of these files."""
         return [file for file in self.files if not self.depends[file].isdisjoint(changed)]
 
-    def run(self, files: Iterable[Path], label: str = "") -> list[Diagnostic]:
-        """Run scenarios, each beside what came of it before; return what is wrong with the others."""
-        faults: dict[Diagnostic, None] = {}
-        for file in files:
-            self.depends.setdefault(file, set()).add(file)
-            try:
-                made = _nominal(file, self.overrides)
-            except InputFault as fault:
-                faults.update(dict.fromkeys(each.within(str(file)) for each in fault.diagnostics))
-                self.depends[file] |= {
-                    Path(place.name) for each in fault.diagnostics for place in each.places
-                }
-                continue
-            before = self.outcomes.get(file)
-            if before is not None:
-                made = replace(made, against=Against(label=f"before {label} was saved", runs=before.variants))
-            self.outcomes[file] = made
-            self.depends[file] = {file, *(each.path for each in inputs_of(made))}
-        return list(faults)
+    def run(
+        self, files: Sequence[Path], label: str = "", advance: Advance | None = None
+    ) -> Iterator[tuple[Outcome | None, tuple[Diagnostic, ...]]]:
+        """Run scenarios; yield of each what came of it, beside what it was, or what is wrong with it."""
+        for done, file in enumerate(files):
+            if advance is not None:
+                advance(done, len(files), file.stem)
+            yield self._run(file, label)
+
+    def _run(self, file: Path, label: str) -> tuple[Outcome | None, tuple[Diagnostic, ...]]:
+        self.depends.setdefault(file, set()).add(file)
+        try:
+            made = _nominal(file, self.overrides)
+        except InputFault as fault:
+            self.depends[file] |= {Path(place.name) for each in fault.diagnostics for place in each.places}
+            return None, tuple(each.within(str(file)) for each in fault.diagnostics)
+        before = self.outcomes.get(file)
+        if before is not None:
+            made = replace(made, against=Against(label=f"before {label} was saved", runs=before.variants))
+        self.outcomes[file] = made
+        self.depends[file] = {file, *(each.path for each in inputs_of(made))}
+        return made, ()
 
     def page(self, version: int) -> str:
         """Return the page, with the sections of what did not change as they were."""
         stretches = stretches_for(self.known)
         draw = scenario_section(stretches)
-        files = [file for file in self.files if self.outcomes.get(file) is not None]
+        files = [file for file in self.files if file in self.outcomes]
 
         def section(outcome: Outcome, number: int) -> Markup:
             file = files[number]
@@ -134,20 +147,7 @@ def _nominal(file: Path, overrides: Mapping[str, object]) -> Outcome:
     scenario = read(file, overrides)
     alone = {variant: replace(setup, vary=()) for variant, setup in scenario.variants.items()}
     runs = testbench.run_together(testbench.prepare(replace(scenario, variants=alone), is_compared=False))
-    verdict = worst([each.verdict for each in runs.values()])
-    return Outcome(scenario=scenario, variants=runs, verdict=verdict)
-
-
-def _warn(live: Live, broken: Sequence[Diagnostic]) -> None:
-    """Tell here and above the page what cannot be run; it stays as it was."""
-    if broken:
-        text = str(InputFault(broken))
-        say(text)
-        live.warn(text)
-
-
-def _label(changed: Iterable[Path]) -> str:
-    return ", ".join(sorted(shown(each) for each in changed))
+    return outcome_of(scenario, runs)
 
 
 def saved(bench: Bench) -> Iterator[set[Path]]:

@@ -9,6 +9,12 @@ from fcl_sim.cli.watch import Bench, saved
 from fcl_sim.report.html.live import Live
 
 
+def faults(made, scenario, label=""):
+    """Run a scenario; return what is wrong with it."""
+    ((_, found),) = made.run([scenario], label)
+    return [*found]
+
+
 @pytest.fixture
 def scenario(bench):
     return bench / "scenarios" / "crane" / "short.toml"
@@ -22,7 +28,7 @@ def rules(scenario):
 @pytest.fixture
 def watched(scenario):
     made = Bench([scenario], {})
-    assert made.run([scenario]) == []
+    assert faults(made, scenario) == []
     return made
 
 
@@ -48,7 +54,7 @@ def test_a_scenario_depends_on_its_controller_its_rules_and_its_plant(watched, s
 def test_what_was_saved_is_shown_over_what_was_before(watched, scenario, rules):
     (before,) = watched.known
     stronger(rules)
-    assert watched.run([scenario], "crane_completed.fcl") == []
+    assert faults(watched, scenario, "crane_completed.fcl") == []
     (now,) = watched.known
     assert now.against.label == "before crane_completed.fcl was saved"
     assert now.against.runs == before.variants
@@ -60,12 +66,12 @@ def test_a_mistake_is_told_and_what_was_before_stays_until_it_is_mended(watched,
     (before,) = watched.known
     whole = rules.read_text("utf-8")
     rules.write_text(whole.replace("END_FUZZIFY", "END_FUZZFY", 1), "utf-8")
-    (fault,) = watched.run([scenario])
+    (fault,) = faults(watched, scenario)
     assert fault.code == "FCL203"
     assert watched.known == [before]
     assert any(each.name == rules.name for each in watched.inputs)
     rules.write_text(whole, "utf-8")
-    assert watched.run([scenario]) == []
+    assert faults(watched, scenario) == []
     assert watched.known != [before]
 
 
@@ -73,7 +79,7 @@ def test_a_scenario_that_never_could_be_run_is_watched_too(scenario):
     whole = scenario.read_text("utf-8")
     scenario.write_text(whole.replace("crane.controller.toml", "missing.toml"), "utf-8")
     made = Bench([scenario], {})
-    assert [each.code for each in made.run([scenario])] == ["SCN101"]
+    assert [each.code for each in faults(made, scenario)] == ["SCN101"]
     assert made.known == []
     assert "Nothing was run" in made.page(1)
     assert scenario in made.inputs
@@ -84,7 +90,7 @@ def test_a_section_is_made_anew_only_where_something_was_run(watched, scenario):
     (first,) = watched.sections.values()
     watched.page(2)
     assert [*watched.sections.values()] == [first]
-    watched.run([scenario])
+    faults(watched, scenario)
     watched.page(3)
     assert [*watched.sections.values()] != [first]
 

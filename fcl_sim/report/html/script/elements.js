@@ -27,6 +27,11 @@ function say(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Say in words what a drawing shows. */
+function describe(picture, text) {
+  if (picture.getAttribute("aria-label") !== text) picture.setAttribute("aria-label", text);
+}
+
 /** Return a short stroke as the run number `index` is drawn. */
 function swatch(index) {
   const line = svg("line", { x1: 0, x2: 30, y1: 5, y2: 5, class: "line" });

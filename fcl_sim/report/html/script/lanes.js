@@ -52,7 +52,6 @@ class Lane {
     this.picture = svg(
       "svg",
       { preserveAspectRatio: "none", role: "img" },
-      svg("title"),
       this.grid,
       told.bands.map((band) => this.band(band)),
       told.corridors.map((corridor) => this.corridor(corridor)),
@@ -279,7 +278,7 @@ class Lane {
       const ends = `from ${withUnit(line.at(from), unit)} to ${withUnit(line.at(Math.min(to, last)), unit)}`;
       return [`${this.scenario.runs[index].name} ${ends}, between ${withUnit(low, unit)} and ${withUnit(high, unit)}`];
     });
-    say(this.picture.firstChild, `${this.told.names[0]} over time: ${parts.join("; ") || "no run is shown"}.`);
+    describe(this.picture, `${this.told.names[0]} over time: ${parts.join("; ") || "no run is shown"}.`);
   }
 
   /** Move the cursor, and tell what every run has there. */

@@ -1,17 +1,32 @@
 // The page: every scenario is drawn, the nearest first; where the page is live, it follows what is saved.
 
 const explorers = new Map();
+const sources = new Map();
 
 /** Draw the scenarios of the page one after the other; `memories` are the states of those they replace. */
 async function drawAll(memories) {
-  for (const place of document.querySelectorAll(".explorer")) {
-    const text = place.parentNode.querySelector(".pack").textContent;
+  for (const section of document.querySelectorAll(".scenario")) {
+    const place = section.querySelector(".explorer");
     const { name } = place.dataset;
-    const pack = await unpacked(text);
+    if (explorers.has(name)) continue;
+    sources.set(name, section.outerHTML);
+    const pack = await unpacked(section.querySelector(".pack").textContent);
     explorers.set(name, new Explorer(place, pack, memories.get(name)));
     await new Promise((done) => setTimeout(done));
   }
   document.body.dataset.ready = "";
+}
+
+/** Put what is drawn already into a page that was fetched, where it tells the same; forget the rest. */
+function keepIn(fresh) {
+  const kept = new Set();
+  for (const section of fresh.querySelectorAll(".scenario")) {
+    const { name } = section.querySelector(".explorer").dataset;
+    if (sources.get(name) !== section.outerHTML) continue;
+    section.replaceWith(explorers.get(name).place.closest(".scenario"));
+    kept.add(name);
+  }
+  for (const name of [...explorers.keys()].filter((each) => !kept.has(each))) explorers.delete(name);
 }
 
 /** Follow a server that tells when something was saved: the page is fetched anew, what was chosen stays. */
@@ -32,11 +47,15 @@ function follow() {
     say(banner, "fcl-sim has ended: the page stays as it is.");
     banner.classList.remove("off");
   });
-  const refresh = async () => {
+  let turn = Promise.resolve();
+  const refresh = () => {
+    turn = turn.then(again).catch(() => {}); // the server has gone, which it tells by itself
+  };
+  const again = async () => {
     const fresh = new DOMParser().parseFromString(await (await fetch("")).text(), "text/html");
     const memories = new Map([...explorers].map(([name, explorer]) => [name, explorer.memory()]));
     const top = window.scrollY;
-    explorers.clear();
+    keepIn(fresh);
     for (const part of ["main", "nav"]) document.querySelector(part).replaceWith(fresh.querySelector(part));
     document.title = fresh.title;
     await drawAll(memories);

@@ -36,14 +36,13 @@ class Characteristic {
     const { told } = this;
     const over = this.isMap ? `${told.across.name} and ${told.up.name}` : told.across.name;
     this.canvas = this.isMap ? html("canvas", { width: MAP[0], height: MAP[1], "aria-hidden": "true" }) : null;
-    this.title = svg("title");
     this.back = svg("g");
     this.path = svg("path", { class: "way" });
     this.halo = svg("path", { class: "halo" });
     this.lost = svg("path", { class: "lost" });
     this.ahead = svg("path", { class: "ahead" });
     const lines = [this.halo, this.ahead, this.path, this.lost];
-    this.picture = svg("svg", { viewBox: `0 0 ${WIDE} ${WIDE}`, preserveAspectRatio: "none", role: "img" }, this.title, this.back, lines);
+    this.picture = svg("svg", { viewBox: `0 0 ${WIDE} ${WIDE}`, preserveAspectRatio: "none", role: "img" }, this.back, lines);
     this.spot = html("i", { class: "spot" });
     this.plot = html("div", { class: "map-plot" }, this.canvas, this.picture, this.spot);
     this.up = html("div", { class: "lane-up", "aria-hidden": "true" });
@@ -178,7 +177,7 @@ class Characteristic {
     const beyond = isIn || Number.isNaN(part[0]) ? "" : ", beyond the edge";
     const value = `${inputs.join(", ")} \u2192 ${withUnit(output.at(at), told.unit)}${isIdle ? ", no rule is active" : ""}${beyond}`;
     say(this.reading, value);
-    say(this.title, `Characteristic: ${told.output} at ${seconds(at, run.told.scan)} s: ${value}`);
+    describe(this.picture, `Characteristic: ${told.output} at ${seconds(at, run.told.scan)} s: ${value}`);
   }
 
   drawWay(across, up, at, idle) {

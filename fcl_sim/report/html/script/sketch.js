@@ -8,10 +8,9 @@ class Sketch {
     this.moved = [];
     const [left, foot] = told.low;
     const [right, top] = told.high;
-    this.title = svg("title");
     const parts = svg("g", { transform: "scale(1 -1)" }, told.parts.map((part) => this.part(part)));
     const box = `${left} ${-top} ${right - left} ${top - foot}`;
-    this.picture = svg("svg", { viewBox: box, role: "img" }, this.title, parts, ...this.ruler(left, right, foot, top));
+    this.picture = svg("svg", { viewBox: box, role: "img" }, parts, ...this.ruler(left, right, foot, top));
     this.element = html("figure", { class: "sketch" }, this.picture, html("figcaption", { class: "note" }, told.about));
   }
 
@@ -51,6 +50,6 @@ class Sketch {
     }
     const motions = this.moved.flatMap(({ told }) => [told.across, told.turn, told.grow]).filter(Boolean);
     const values = motions.map((motion) => `${motion.signal} ${withUnit(value(motion), this.run.unit(motion.signal))}`);
-    say(this.title, `${this.told.about} At ${seconds(state.at, this.run.told.scan)} s: ${values.join(", ")}.`);
+    describe(this.picture, `${this.told.about} At ${seconds(state.at, this.run.told.scan)} s: ${values.join(", ")}.`);
   }
 }
