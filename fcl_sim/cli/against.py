@@ -22,6 +22,7 @@ from fcl_sim.scenario.revision import checked_out
 from fcl_sim.testbench import Outcome
 
 RULE_BASE = ".fcl"
+ARROW = "\N{RIGHTWARDS ARROW}"
 
 
 def against(outcomes: Sequence[Outcome], older: str) -> list[Outcome]:
@@ -77,6 +78,16 @@ def print_against(outcomes: Sequence[Outcome], older: str, console: Console) -> 
             continue
         click.echo(f"\n{outcome.scenario.name} against {outcome.against.label}:")
         console.print(_table(list(against_rows(outcome))))
+
+
+def print_changes(outcome: Outcome, console: Console) -> None:
+    """Print the figures that are not what they were in the older version of an outcome."""
+    rows = [row for row in against_rows(outcome) if row.change != "none" or ARROW in row.verdict]
+    if not rows:
+        click.echo(f"{outcome.scenario.name}: every figure is what it was.")
+        return
+    click.echo(f"{outcome.scenario.name}:")
+    console.print(_table(rows))
 
 
 def _table(rows: Sequence[Beside]) -> Table:

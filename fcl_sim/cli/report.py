@@ -19,9 +19,12 @@ RULE_BASE = ".fcl"
 @click.argument("file", metavar="RESULTS.json|FILE.fcl", type=click.Path(path_type=Path))
 @click.argument("scenarios", metavar="[SCENARIO]...", nargs=-1)
 @click.option("--reports", type=click.Path(path_type=Path), metavar="DIR", help="Write the report there.")
+@click.option("--html", is_flag=True, help="Write the page for a browser, too: report.html.")
 @click.option("--png", is_flag=True, help="Write the pictures of the report as PNG, too.")
 @click.option("--pages", is_flag=True, help="Write the pages of the report as PNG, too: pages/001.png ...")
-def command(file: Path, scenarios: tuple[str, ...], reports: Path | None, *, png: bool, pages: bool) -> None:
+def command(
+    file: Path, scenarios: tuple[str, ...], reports: Path | None, *, html: bool, png: bool, pages: bool
+) -> None:
     """Write the report of a run from what it has stored, or that of a rule base alone.
 
     RESULTS.json is what `fcl-sim run` has written, with the runs beside it in RESULTS.npz; nothing is
@@ -33,10 +36,13 @@ def command(file: Path, scenarios: tuple[str, ...], reports: Path | None, *, png
     if file.suffix.lower() == RULE_BASE:
         if scenarios:
             raise click.UsageError("a rule base has no scenarios; name a RESULTS.json to choose some of its")
+        if html:
+            raise click.UsageError("the page shows runs, and a rule base alone has none; leave --html out")
         written = writer.write_alone(file, reports or reports_folder(), png=png, pages=pages)
     else:
-        written = _of_results(file, scenarios, reports, watch, png=png, pages=pages)
-    click.echo(f"written: {shown(written[0])}")
+        written = _of_results(file, scenarios, reports, watch, html=html, png=png, pages=pages)
+    for each in written[: 1 + html]:
+        click.echo(f"written: {shown(each)}")
     click.echo(str(watch), err=True)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import click
+from click.core import ParameterSource
 
 from fcl_sim import testbench
 from fcl_sim.cli.against import against, print_against
@@ -15,6 +16,7 @@ from fcl_sim.cli.progress import progress
 from fcl_sim.cli.regressions import exit_code, print_regressions
 from fcl_sim.cli.stopwatch import Stopwatch
 from fcl_sim.cli.table import console, print_envelopes, print_runs, print_verdicts
+from fcl_sim.cli.watch import watch as watch_scenarios
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.jit import cache_folder
 from fcl_sim.judge.verdict import Status
@@ -41,6 +43,7 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 
 @click.command()
 @click.argument("paths", metavar="[PATH]...", nargs=-1, type=click.Path(path_type=Path))
+@click.option("--watch", "is_watched", is_flag=True, help="Run again what is saved, and show it on a page.")
 @click.option(
     "--set",
     "overrides",
@@ -53,6 +56,7 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 @click.option("--no-report", is_flag=True, help="Write no reports.")
 @click.option("--png", is_flag=True, help="Write the pictures of the report as PNG, too.")
 @click.option("--pages", is_flag=True, help="Write the pages of the report as PNG, too: pages/001.png ...")
+@click.option("--html", is_flag=True, help="Write a page for a browser, too: report.html.")
 @click.option("-v", "--verbose", is_flag=True, help="Print every verdict, of however many scenarios.")
 @click.option(
     "--format",
@@ -100,11 +104,13 @@ def _settings(_ctx: click.Context, _param: click.Parameter, texts: tuple[str, ..
 def command(  # noqa: PLR0913  an option each
     *,
     paths: tuple[Path, ...],
+    is_watched: bool,
     overrides: dict[str, object],
     reports: Path | None,
     no_report: bool,
     png: bool,
     pages: bool,
+    html: bool,
     verbose: bool,
     form: str | None,
     older: str | None,
@@ -120,6 +126,9 @@ def command(  # noqa: PLR0913  an option each
     that folder itself.
     """
     files = scenario_files(paths)
+    if is_watched:
+        _check_alone(click.get_current_context())
+        watch_scenarios(files, overrides)
     folder = None if no_report else reports or reports_folder()
     trace = targets.pop("trace")
     outputs = Outputs.of(targets, form)
@@ -147,9 +156,9 @@ def command(  # noqa: PLR0913  an option each
     written += _write_traces(outcomes, trace) if trace else []
     if folder:
         with progress("writing reports") as advance:
-            written += writer.write(outcomes, folder, advance, covered, png=png, pages=pages, lap=watch.lap)[
-                :1
-            ]
+            also = {"png": png, "pages": pages, "html": html}
+            made = writer.write(outcomes, folder, advance, covered, lap=watch.lap, **also)
+            written += made[: 1 + html]
     for file in written:
         click.echo(f"written: {shown(file)}", err=as_json)
     click.echo(str(watch), err=as_json)
@@ -157,6 +166,16 @@ def command(  # noqa: PLR0913  an option each
     if code is Exit.GREEN and required and not met(covered, Item(required)):
         return Exit.VERDICT
     return code
+
+
+def _check_alone(ctx: click.Context) -> None:
+    """Raise UsageError where an option stands beside --watch that asks for files or for another output."""
+    for each in ctx.command.params:
+        given = each.name and ctx.get_parameter_source(each.name) is ParameterSource.COMMANDLINE
+        if given and each.name not in {"paths", "overrides", "is_watched"}:
+            raise click.UsageError(
+                f"--watch writes nothing and judges nothing at the end: leave {each.opts[0]} out."
+            )
 
 
 def _print_coverage(covered: Sequence[Coverage], *, whole: bool) -> None:

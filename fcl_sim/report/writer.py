@@ -1,4 +1,4 @@
-"""Outcomes → files: one PDF, the results as JSON and stored, on request PNGs; whole or not at all."""
+"""Outcomes → files: one PDF, the results as JSON and stored, on request a page and PNGs; whole or none."""
 
 import errno
 import json
@@ -12,12 +12,14 @@ from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
 from fcl_sim.report.gather import gathered
+from fcl_sim.report.html import page
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.vector import svg
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.coverage import Coverage
 
 PDF = "report.pdf"
+HTML = "report.html"
 RESULTS = "results.json"
 DATA = "report.json"
 PAGES = "pages"
@@ -39,20 +41,22 @@ def write(  # noqa: PLR0913  a choice each
     *,
     png: bool = False,
     pages: bool = False,
+    html: bool = False,
     lap: Lap | None = None,
 ) -> list[Path]:
     """Write the report of a run as `write_stored` does; `covered` is its coverage, where it is known."""
     stored = gathered(outcomes, covered)
-    return write_stored(stored, folder, progress, png=png, pages=pages, lap=lap)
+    return write_stored(stored, folder, progress, png=png, pages=pages, html=html, lap=lap)
 
 
-def write_stored(
+def write_stored(  # noqa: PLR0913  a choice each
     stored: Stored,
     folder: Path,
     progress: Progress | None = None,
     *,
     png: bool = False,
     pages: bool = False,
+    html: bool = False,
     lap: Lap | None = None,
 ) -> list[Path]:
     """Write the report of a run into `folder`; return its files, the PDF first.
@@ -61,14 +65,17 @@ def write_stored(
     at the end, file by file, so a run that is killed leaves old files or new
     ones, none half-written. `progress` is called with the pictures drawn and
     their number. With `png` each picture is written as one, too, with `pages`
-    each page; without, one that a report before has left under its name is
-    removed, as it would show another run. InputFault where the system refuses.
+    each page, with `html` the page for a browser is; without, one that a report
+    before has left under its name is removed, as it would show another run.
+    InputFault where the system refuses.
     """
     done = lap or _silent
     try:
         with workplace(folder) as work:
             shelf = Shelf()
             data = report_data(stored, shelf.add)
+            if html:
+                (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
             done("drawing")
             said = results.text(stored.outcomes, stored.covered)
             (work / RESULTS).write_text(said, encoding="utf-8")
@@ -80,8 +87,10 @@ def write_stored(
             (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
             names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
             done("typesetting")
-            moved = _move(work, folder, [*names, STORED, RESULTS, PDF])[::-1]
-            _remove(folder, [] if png else shelf.pngs, kept=names if pages else [])
+            named = [HTML] if html else []
+            moved = _move(work, folder, [*names, STORED, RESULTS, *named, PDF])[::-1]
+            stale = [*([] if png else shelf.pngs), *([] if html else [HTML])]
+            _remove(folder, stale, kept=names if pages else [])
             done("writing")
             return moved
     except OSError as error:
@@ -113,17 +122,17 @@ def _pages(work: Path) -> list[str]:
     """Write every page as PNG; return the files' names."""
     (work / PAGES).mkdir()
     names = []
-    for number, page in enumerate(typeset.pages(work), start=1):
+    for number, png in enumerate(typeset.pages(work), start=1):
         names.append(f"{PAGES}/{number:03}.png")
-        (work / names[-1]).write_bytes(page)
+        (work / names[-1]).write_bytes(png)
     return names
 
 
-def _remove(folder: Path, pngs: Sequence[str], kept: Sequence[str]) -> None:
-    """Remove pictures and pages that a report before has left, all pages but those that are `kept`."""
+def _remove(folder: Path, stale: Sequence[str], kept: Sequence[str]) -> None:
+    """Remove what a report before has left: the files `stale`, and all pages but those that are `kept`."""
     names = {Path(each).name for each in kept}
-    stale = [each for each in (folder / PAGES).glob("[0-9]*.png") if each.name not in names]
-    for each in (*(folder / name for name in pngs), *stale):
+    pages = [each for each in (folder / PAGES).glob("[0-9]*.png") if each.name not in names]
+    for each in (*(folder / name for name in stale), *pages):
         each.unlink(missing_ok=True)
 
 

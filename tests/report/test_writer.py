@@ -64,6 +64,16 @@ def test_pictures_are_written_on_request_and_those_of_an_older_report_do_not_sta
     ]
 
 
+def test_the_page_for_a_browser_is_written_on_request_and_that_of_an_older_report_does_not_stay(
+    small, tmp_path
+):
+    written = write(small, tmp_path / "reports", html=True)
+    assert [each.name for each in written] == ["report.pdf", "report.html", "results.json", "results.npz"]
+    assert written[1].read_text("utf-8").startswith("<!DOCTYPE html>")
+    write(small, tmp_path / "reports")
+    assert sorted(everything(tmp_path / "reports")) == ["report.pdf", "results.json", "results.npz"]
+
+
 def test_what_is_done_is_told_in_its_order(small, tmp_path):
     told: list[str] = []
     write(small, tmp_path / "reports", lap=told.append)

@@ -1,0 +1,49 @@
+"""Elements → HTML: a text of a user becomes text, never markup."""
+
+from collections.abc import Iterable
+from html import escape
+
+EMPTY = frozenset({"br", "col", "input", "link", "meta"})
+"""Elements without an end."""
+
+
+class Markup(str):
+    """HTML that is whole and safe as it is."""
+
+    __slots__ = ()
+
+
+Child = str | Iterable["Child"] | None
+Attribute = str | int | float | bool | None
+
+
+def element(name: str, /, *children: Child, **attributes: Attribute) -> Markup:
+    """Return an element; children that are no markup are escaped, None is left out.
+
+    An attribute `class_` is `class`, `data_run` is `data-run`; True gives its
+    name alone, None and False leave it out.
+    """
+    head = "".join([name, *(_attribute(key, value) for key, value in attributes.items())])
+    if name in EMPTY:
+        return Markup(f"<{head}>")
+    return Markup(f"<{head}>{joined(*children)}</{name}>")
+
+
+def joined(*children: Child) -> Markup:
+    """Return children one after the other."""
+    return Markup("".join(_text(each) for each in children))
+
+
+def _text(child: Child) -> str:
+    if child is None or isinstance(child, Markup):
+        return child or ""
+    if isinstance(child, str):
+        return escape(child, quote=False)
+    return "".join(_text(each) for each in child)
+
+
+def _attribute(key: str, value: Attribute) -> str:
+    name = key.rstrip("_").replace("_", "-")
+    if value is None or value is False:
+        return ""
+    return f" {name}" if value is True else f' {name}="{escape(str(value))}"'

@@ -1,0 +1,22 @@
+"""The page's script in a JavaScript engine that has no page: what it computes, without what it draws."""
+
+import json
+from importlib.resources import files
+
+import quickjs
+
+FOLDER = files("fcl_sim.report.html").joinpath("script")
+
+
+class Script:
+    """Files of the script, loaded; `call` a function of theirs with values, and get what it returns."""
+
+    def __init__(self, *names: str) -> None:
+        self._context = quickjs.Context()
+        for name in names:
+            self._context.eval(FOLDER.joinpath(name).read_text(encoding="utf-8"))
+
+    def call(self, function: str, *values):
+        """Return what comes of a function, or of an expression that is one; NaN and infinity are None."""
+        arguments = ", ".join(json.dumps(each) for each in values)
+        return json.loads(self._context.eval(f"JSON.stringify(({function})({arguments}) ?? null)"))
