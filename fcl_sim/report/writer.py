@@ -4,6 +4,7 @@ import errno
 import json
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from fcl_sim.diagnostics import InputFault
@@ -11,6 +12,7 @@ from fcl_sim.report import alone, archive, results, typeset
 from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
+from fcl_sim.report.forked import Task, do_all
 from fcl_sim.report.gather import gathered
 from fcl_sim.report.html import page
 from fcl_sim.report.pictures import Picture
@@ -74,15 +76,12 @@ def write_stored(  # noqa: PLR0913  a choice each
         with workplace(folder) as work:
             shelf = Shelf()
             data = report_data(stored, shelf.add)
-            if html:
-                (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
-            done("drawing")
             said = results.text(stored.outcomes, stored.covered)
             (work / RESULTS).write_text(said, encoding="utf-8")
-            archive.write(stored, said, work / STORED)
             (work / DATA).write_text(json.dumps(data), encoding="utf-8")
-            done("writing")
-            shelf.draw(work, progress or _silent)
+            tasks = [partial(archive.write, stored, said, work / STORED)]
+            tasks += [partial(_write_page, stored, work / HTML)] if html else []
+            shelf.draw(work, progress or _silent, tasks)
             done("drawing")
             (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
             names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
@@ -116,6 +115,14 @@ def write_alone(file: Path, folder: Path, *, png: bool = False, pages: bool = Fa
             return _move(work, folder, [*names, name])[::-1]
     except OSError as error:
         raise refused(error, folder) from error
+
+
+def _write_page(stored: Stored, file: Path) -> None:
+    file.write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
+
+
+def _draw(picture: Picture, file: Path) -> None:
+    file.write_bytes(svg(picture.draw()))
 
 
 def _pages(work: Path) -> list[str]:
@@ -157,14 +164,14 @@ class Shelf:
         """Names of the pictures' files as PNG."""
         return [f"{name}.png" for name in self._pictures]
 
-    def draw(self, work: Path, progress: Progress) -> None:
-        """Draw every picture into `work` as SVG."""
-        for done, (name, picture) in enumerate(self._pictures.items()):
-            progress(done, len(self._pictures))
-            file = work / f"{name}.svg"
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(svg(picture.draw()))
-        progress(len(self._pictures), len(self._pictures))
+    def draw(self, work: Path, progress: Progress, others: Sequence[Task] = ()) -> None:
+        """Draw every picture into `work` as SVG, and do other tasks beside that."""
+        files = {name: work / f"{name}.svg" for name in self._pictures}
+        for folder in {file.parent for file in files.values()}:
+            folder.mkdir(parents=True, exist_ok=True)
+        tasks: list[Task] = [*others]
+        tasks += [partial(_draw, picture, files[name]) for name, picture in self._pictures.items()]
+        do_all(tasks, lambda done: progress(done, len(tasks)))
 
     def export(self, work: Path) -> list[str]:
         """Write every drawn picture as PNG; return the files' names."""

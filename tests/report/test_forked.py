@@ -1,0 +1,71 @@
+"""Files written by copies of this process are those that it would have written alone."""
+
+import os
+import sys
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from fcl_sim.report.forked import do_all
+
+HERE = os.getpid()
+
+
+def written(folder: Path, number: int) -> None:
+    (folder / f"{number}").write_text(f"{number}", encoding="utf-8")
+
+
+def tasks(folder, count=40):
+    return [partial(written, folder, number) for number in range(count)]
+
+
+@pytest.mark.parametrize("workers", [1, 2, 3])
+@pytest.mark.parametrize("count", [0, 1, 17, 40])
+def test_every_task_is_done(tmp_path, workers, count):
+    heard = []
+    do_all(tasks(tmp_path, count), heard.append, workers)
+    assert sorted(int(file.name) for file in tmp_path.iterdir()) == list(range(count))
+    assert heard == sorted(heard)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="done by one process")
+def test_a_copy_does_its_share(tmp_path):
+    def by_whom(number: int) -> None:
+        (tmp_path / f"{number}").write_text(str(os.getpid()), encoding="utf-8")
+
+    do_all([partial(by_whom, number) for number in range(20)], lambda _: None, 2)
+    assert len({file.read_text(encoding="utf-8") for file in tmp_path.iterdir()}) == 2
+
+
+def test_what_a_copy_fails_at_is_done_here(tmp_path):
+    def only_here(number: int) -> None:
+        if os.getpid() != HERE:
+            os._exit(9)
+        written(tmp_path, number)
+
+    do_all([partial(only_here, number) for number in range(20)], lambda _: None, 2)
+    assert len([*tmp_path.iterdir()]) == 20
+
+
+def test_a_task_that_fails_everywhere_is_told_of(tmp_path):
+    def fails() -> None:
+        raise OSError("no space")
+
+    for place in (0, 1):  # of this process, of the copy
+        given = tasks(tmp_path)
+        given[place] = fails
+        with pytest.raises(OSError, match="no space"):
+            do_all(given, lambda _: None, 2)
+
+
+def test_an_interrupt_ends_the_copies_and_is_passed_on(tmp_path):
+    def interrupted() -> None:
+        if os.getpid() == HERE:
+            raise KeyboardInterrupt
+        written(tmp_path, 0)
+
+    with pytest.raises(KeyboardInterrupt):
+        do_all([interrupted] * 40, lambda _: None, 3)
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
