@@ -59,13 +59,24 @@ def test_a_task_that_fails_everywhere_is_told_of(tmp_path):
             do_all(given, lambda _: None, 2)
 
 
-def test_an_interrupt_ends_the_copies_and_is_passed_on(tmp_path):
+@pytest.mark.skipif(sys.platform != "linux", reason="done by one process")
+def test_an_interrupt_ends_the_copies_and_is_passed_on(tmp_path, monkeypatch):
+    copies, fork = [], os.fork
+
+    def noted():
+        copy = fork()
+        copies.append(copy)
+        return copy
+
     def interrupted() -> None:
         if os.getpid() == HERE:
             raise KeyboardInterrupt
         written(tmp_path, 0)
 
+    monkeypatch.setattr("fcl_sim.report.forked.os.fork", noted)
     with pytest.raises(KeyboardInterrupt):
         do_all([interrupted] * 40, lambda _: None, 3)
-    with pytest.raises(ChildProcessError):
-        os.waitpid(-1, os.WNOHANG)
+    assert len(copies) == 2
+    for copy in copies:
+        with pytest.raises(ChildProcessError):
+            os.waitpid(copy, os.WNOHANG)
