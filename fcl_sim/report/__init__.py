@@ -1,4 +1,4 @@
-"""What a run leaves on paper: one PDF, pictures, and the results as data.
+"""What a run leaves behind: one PDF, a page for a browser, pictures, and the results as data.
 
 In: Outcomes of testbench, or a Block alone for its pictures. Out: files in a
 folder, each whole or not there at all; figures; the document of `--json`.
