@@ -1,8 +1,9 @@
 """The one sequence: read, bind, wire, run, judge, compare with the baseline.
 
 In: files of scenarios, or Scenarios. Out: an Outcome of each, with a Run of
-every variant; their coverage, their new baselines. The only room that knows
-all of scenario, loop, judge, envelope and verify. Tests: tests/test_testbench.py.
+every variant; their coverage, their new baselines. It joins what knows nothing
+of each other. May import envelope, scenario, verify, judge, loop, block.
+Tests: tests/testbench.
 """
 
 from fcl_sim.loop.open import OpenLoop
