@@ -14,6 +14,7 @@ from fcl_sim.proof.axes import Axis, Flags
 from fcl_sim.proof.boxes import boxes_of
 from fcl_sim.proof.coupled import are_apart, possible
 from fcl_sim.proof.cubes import Cube, firings, left_out, painted
+from fcl_sim.proof.examples import undefined_in
 from fcl_sim.proof.nearest import Missing, missing_at
 from fcl_sim.proof.parted import parted
 from fcl_sim.proof.points import Point, witness
@@ -79,6 +80,7 @@ class Gap:
 class Completeness:
     """What is known of an output: its gap, if it has one, and where it is hardly defined.
 
+    `example` is a point without a rule where it is not known in general, if one was found.
     Each box of `parts` has places without a rule, and others with one, by half-spaces.
     `doubt` is the part of the universe of which it is not known, None where
     that has no measure; `proved` the part that was looked at, by number of cells
@@ -90,6 +92,7 @@ class Completeness:
     gap: Gap | None
     weak: Gap | None
     parts: Gap | None = None
+    example: Point | None = None
     certainty: Certainty
     doubt: Fraction | None
     proved: Fraction
@@ -137,12 +140,15 @@ class _Prover:
         found = _Found(self, name)
         doubt: Fraction | None = Fraction(0)
         unsure = False
+        example: Point | None = None
         proved, seen = Fraction(0), 0
         for slab in slabs(space, self._budget):
             allowed = possible(slab.space, self._axes, self._universe)
             undefined = left_out(slab.space.shape, slab.cubes(possibly))
             open_cells = np.asarray(~undefined & left_out(slab.space.shape, slab.cubes(surely)))
             found.add(slab, undefined, allowed)
+            if allowed is None and example is None and open_cells.any():
+                example = self._example(name, slab.space, open_cells)
             unsure = unsure or bool((open_cells if allowed is None else open_cells & allowed).any())
             own = None if allowed is not None else slab.space.share(open_cells)
             doubt = None if own is None or doubt is None else doubt + own * slab.part
@@ -158,12 +164,16 @@ class _Prover:
             output=name,
             gap=found.gap(),
             parts=parts,
+            example=example if unsure and parts is None else None,
             weak=self._weak(name, covers) if seen == space.size else None,
             certainty=Certainty.BOUNDED if unsure or coupled or seen < space.size else Certainty.EXACT,
             doubt=doubt,
             proved=proved,
             whole=seen == space.size,
         )
+
+    def _example(self, name: str, space: Space, cells: Flags) -> Point | None:
+        return undefined_in(self._block, self._axes, self._universe, name, space, cells)
 
     def _parts(self, name: str) -> tuple[bool, Gap | None, Fraction | None] | None:
         """Return whether doubtful cells have places without a rule, where, their share; None if unknown."""

@@ -10,7 +10,7 @@ from fcl_sim.proof.finding import Finding, found
 from fcl_sim.proof.nearest import Missing
 from fcl_sim.proof.space import Side
 from fcl_sim.proof.universe import Universe
-from fcl_sim.proof.words import box, command, over, percent, quoted, rules_named
+from fcl_sim.proof.words import assignments, box, command, over, percent, quoted, rules_named
 from fcl_sim.units import short
 
 LOSING_HINT = "BDIF is 0 unless degrees add up to more than 1: take AND: MIN, or let the terms overlap more"
@@ -163,6 +163,10 @@ def _open(output: Defuzzification, proved: Completeness) -> Finding:
         doubt = f" in {percent(proved.doubt)} of the universe" if proved.doubt else " somewhere"
         message = f"whether `{output.variable}` is defined is not known{doubt}"
         hint = "--universe bounds what moves points and weights; BDIF, NMIN and DPROD leave room for both"
+        if proved.example is not None:
+            at = assignments(proved.example)
+            message = f"`{output.variable}` is undefined at {at}; where else it is so is not known"
+            hint = f"{hint}; see `{command(output.span, proved.example, thin=True)}`"
     return found(
         "FCL615",
         message,
@@ -171,4 +175,5 @@ def _open(output: Defuzzification, proved: Completeness) -> Finding:
         Severity.NOTE,
         certainty=Certainty.BOUNDED,
         variable=output.variable,
+        witness=proved.example if proved.whole else None,
     )
