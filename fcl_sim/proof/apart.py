@@ -19,7 +19,7 @@ from fcl_sim.proof.axes import Axis
 from fcl_sim.proof.changed import changed_terms, concludes, frame_of, rule_keys, rule_text, surplus
 from fcl_sim.proof.degrees import Boxes, NotEnclosed
 from fcl_sim.proof.enclosure import Enclosure, Law, average
-from fcl_sim.proof.few_digits import points_near
+from fcl_sim.proof.few_digits import Shown, shown
 from fcl_sim.proof.law import Extreme, cells_of, require_ranges
 from fcl_sim.proof.search import AT_ONCE, STEPS, halved, largest
 from fcl_sim.proof.space import axes_of
@@ -33,8 +33,6 @@ COARSE, COARSE_STEPS = 1e-2, 16
 """That part where only what matters is looked for, and the times that boxes are halved for it."""
 SHARE_STEPS = 12
 """Times that boxes are halved to tell a share."""
-MOST = 0.99
-"""The part of the largest difference that a point of few digits shows."""
 PART = 0.01
 """The part of an output's reach by which two laws may differ, where nothing is said."""
 
@@ -52,15 +50,6 @@ class Effort:
 EFFORT = Effort(CLOSE, STEPS, AT_ONCE, boxes=20_000)
 OF_AREAS = Effort(1e-3, 30, 256, boxes=1_000)
 """The same where outputs have areas, whose bounds take longer and are wider."""
-
-
-@dataclass(frozen=True, slots=True)
-class Shown:
-    """A point of few digits at which most of the largest difference is to be seen: `old` became `new`."""
-
-    at: Mapping[str, float] = field(default_factory=dict)
-    old: float = 0.0
-    new: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +78,7 @@ class Apart:
     largest: Extreme | None = None
     old: float = 0.0
     new: float = 0.0
-    shown: Shown = Shown()
+    shown: Shown = field(default_factory=Shown)
     share_at_least: float = 0.0
     share_at_most: float = 0.0
     rules: tuple[ChangedRule, ...] = ()
@@ -187,23 +176,11 @@ class _Comparer:
             largest=Extreme(found.reached, bound, at, exact),
             old=float(before[0]),
             new=float(after[0]),
-            shown=self._shown(found.at, found.reached),
+            shown=shown(self._blocks, self._output, at, self._cells.reach, self._universe),
             share_at_least=least,
             share_at_most=most,
             rules=tuple(self._responsible(found.at)) if found.reached > 0.0 else (),
         )
-
-    def _shown(self, at: Values, reached: float) -> Shown:
-        """Return the first point of few digits that shows most of what was reached."""
-        found = Shown()
-        reach = (self._cells.high.max(axis=0) - self._cells.low.min(axis=0)).tolist()
-        place, reaches = (dict(zip(self._names, each, strict=True)) for each in (at.tolist(), reach))
-        for point in points_near(place, reaches, self._universe):
-            old, new, difference = self._value(np.array([[point[name] for name in self._names]]))
-            found = Shown(point, float(old[0]), float(new[0]))
-            if difference[0] >= MOST * reached:
-                break
-        return found
 
     def _boxes(self, side: int, boxes: Boxes) -> Boxes:
         order = self._orders[side]

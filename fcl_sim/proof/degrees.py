@@ -55,6 +55,12 @@ class Boxes:
         """Their middles."""
         return np.asarray(0.5 * self.low + 0.5 * self.high)
 
+    @property
+    def reach(self) -> list[float]:
+        """How far they all go together along each input."""
+        together: list[float] = (self.high.max(axis=0) - self.low.min(axis=0)).tolist()
+        return together
+
     def __len__(self) -> int:
         return len(self.low)
 

@@ -4,10 +4,8 @@ Each habit of another engine that the model can say is said in it, and the two
 laws are compared (proof.apart).
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import product
-from math import ceil, floor, log10
 
 import numpy as np
 
@@ -16,28 +14,22 @@ from fcl_sim.diagnostics import InputFault
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.model import FunctionBlock
 from fcl_sim.proof.apart import PART, Apart, apart
+from fcl_sim.proof.few_digits import shown
 from fcl_sim.proof.habits import Habit, habits_of
 from fcl_sim.proof.law import Extreme, cells_of
 from fcl_sim.proof.space import axes_of
-from fcl_sim.proof.universe import Stretch, Universe
+from fcl_sim.proof.universe import Universe
 
 POINTS = 40_000
 """Points at which laws are compared that are not bounded."""
-DIGITS = 7
-"""Significant digits of a witness at which one is told as it was found."""
-MOST = 0.95
-"""The part of the largest difference that a witness of fewer digits shows."""
 
 
 @dataclass(frozen=True, slots=True)
 class Otherwise:
-    """A habit that changes an output: it is `ours` at a point `at`, and by the habit `theirs`."""
+    """A habit that changes an output, and by how much."""
 
     habit: Habit
-    output: str
-    at: Mapping[str, float]
-    ours: float
-    theirs: float
+    apart: Apart
 
 
 def otherwise(block: FunctionBlock, universe: Universe) -> Iterator[Otherwise]:
@@ -49,13 +41,11 @@ def otherwise(block: FunctionBlock, universe: Universe) -> Iterator[Otherwise]:
     for habit in habits:
         found = [each for theirs in habit.readings for each in _differences(ours, theirs, universe)]
         if found:
-            theirs, worst = max(found, key=lambda each: abs(each[1].new - each[1].old))
-            at = worst.largest.at if worst.largest else {}
-            yield _shown(habit, (ours, theirs), worst, _near(at, universe))
+            yield Otherwise(habit, max(found, key=lambda each: abs(each.new - each.old)))
 
 
-def _differences(ours: Block, model: FunctionBlock, universe: Universe) -> Iterator[tuple[Block, Apart]]:
-    """Yield the outputs that a reading changes by more than a part of their reach, with the block."""
+def _differences(ours: Block, model: FunctionBlock, universe: Universe) -> Iterator[Apart]:
+    """Yield the outputs that a reading changes by more than a part of their reach."""
     try:
         theirs = Block(model, assemble(model))
     except InputFault:  # a reading that no engine can evaluate
@@ -63,7 +53,7 @@ def _differences(ours: Block, model: FunctionBlock, universe: Universe) -> Itera
     for each in apart(ours, theirs, universe, coarse=True):
         found = _sampled(ours, theirs, each.output, universe) if each.unknown else each
         if found is not None and found.largest is not None and found.largest.reached > found.threshold:
-            yield theirs, found
+            yield found
 
 
 def _sampled(ours: Block, theirs: Block, output: str, universe: Universe) -> Apart | None:
@@ -86,37 +76,5 @@ def _sampled(ours: Block, theirs: Block, output: str, universe: Universe) -> Apa
         largest=Extreme(reached, float("inf"), place, is_exact=False),
         old=float(old[at]),
         new=float(new[at]),
+        shown=shown((ours, theirs), output, place, cells.reach, universe),
     )
-
-
-def _shown(
-    habit: Habit, blocks: tuple[Block, Block], worst: Apart, points: Iterable[Mapping[str, float]]
-) -> Otherwise:
-    """Return a habit with the first point that shows most of the difference."""
-    found = Otherwise(habit, worst.output, {}, worst.old, worst.new)
-    for at in points:
-        ours, theirs = (float(each.evaluate(at)[worst.output]) for each in blocks)
-        found = Otherwise(habit, worst.output, at, ours, theirs)
-        if abs(theirs - ours) >= MOST * abs(worst.new - worst.old):
-            break
-    return found
-
-
-def _near(at: Mapping[str, float], universe: Universe) -> Iterator[Mapping[str, float]]:
-    """Yield points of few digits around one, those of the fewest first, and at last the point itself."""
-    for digits in range(1, DIGITS):
-        for values in product(*(_rounded(each, digits) for each in at.values())):
-            point = dict(zip(at, values, strict=True))
-            if all(_is_within(value, universe.of(name)) for name, value in point.items()):
-                yield point
-    yield at
-
-
-def _is_within(value: float, stretch: Stretch | None) -> bool:
-    return stretch is None or stretch[0] <= value <= stretch[1]
-
-
-def _rounded(value: float, digits: int) -> Iterable[float]:
-    """Return a number with so many significant digits, downwards and upwards."""
-    step = 10.0 ** (floor(log10(abs(value))) + 1 - digits) if value else 1.0
-    return dict.fromkeys(float(f"{end(value / step) * step:.{digits + 1}g}") for end in (floor, ceil))

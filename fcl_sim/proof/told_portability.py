@@ -15,9 +15,9 @@ from fcl_sim.units import exact
 def told_portability(block: FunctionBlock, universe: Universe) -> Iterator[Finding]:
     """Yield a note for each habit of another engine that changes an output by more than 1 % of its reach."""
     for each in otherwise(block, universe):
-        habit = each.habit
-        point = {name: exact(value) for name, value in each.at.items()}
-        values = f"`{each.output}` is {each.ours:.5g} here and {each.theirs:.5g} there"
+        habit, apart = each.habit, each.apart
+        point = {name: exact(value) for name, value in apart.shown.at.items()}
+        values = f"`{apart.output}` is {apart.shown.old:.5g} here and {apart.shown.new:.5g} there"
         yield found(
             "FCL631",
             f"{habit.who} {habit.what}: {values}, at {assignments(point)}",
@@ -25,6 +25,6 @@ def told_portability(block: FunctionBlock, universe: Universe) -> Iterator[Findi
             habit.hint,
             Severity.NOTE,
             certainty=Certainty.BOUNDED,
-            variable=each.output,
+            variable=apart.output,
             witness=point,
         )

@@ -26,7 +26,7 @@ from fcl_sim.proof.rules import (
 from fcl_sim.proof.terms import out_of_reach
 from fcl_sim.proof.universe import Universe
 from fcl_sim.proof.witnesses import Witnesses
-from fcl_sim.proof.words import interval, rules_named
+from fcl_sim.proof.words import interval, rules_named, seen
 
 
 def told_rules(block: FunctionBlock, axes: Sequence[Axis], universe: Universe) -> Iterator[Finding]:
@@ -45,14 +45,9 @@ def told_rules(block: FunctionBlock, axes: Sequence[Axis], universe: Universe) -
     alive = [each for each in every if each.place not in gone]
     for each in without_weight(alive):
         message = f"rule {each.label} concludes nothing on `{each.conclusion.variable}`: its weight is 0"
-        yield found(
-            "FCL613",
-            message,
-            [each.conclusion.span],
-            "give it a weight, or remove it",
-            rule=each.label,
-            witness=points.rule(each.place),
-        )
+        witness = points.rule(each.place)
+        hint = f"give it a weight, or remove it{seen(each.rule.span, witness)}"
+        yield found("FCL613", message, [each.conclusion.span], hint, rule=each.label, witness=witness)
     for pair in twice(alive):
         yield _twice(pair, points)
     for pair in contradictory(alive):
@@ -121,16 +116,17 @@ def _twice(pair: Pair, points: Witnesses) -> Finding:
 
 def _contradictory(pair: Pair, points: Witnesses) -> Finding:
     told, because = pair.told, pair.because
-    other = conclusion(because.conclusion)
+    other, witness = conclusion(because.conclusion), points.rule(told.place)
+    hint = "both count, and the output lies between them: correct the condition or the conclusion of one"
     return found(
         "FCL605",
         f"rule {told.label} contradicts rule {because.label}: `{other}` follows from the same condition",
         [told.conclusion.span],
-        "both count, and the output lies between them: correct the condition or the conclusion of one",
+        hint + seen(told.rule.span, witness),
         others=[(because.conclusion.span, "the same condition")],
         rule=told.label,
         beside=because.label,
-        witness=points.rule(told.place),
+        witness=witness,
     )
 
 
@@ -139,16 +135,18 @@ def _idle(pairs: Sequence[Pair], points: Witnesses) -> Finding:
     because = pairs[0].because
     labels = _labels(pairs)
     alone = len(labels) == 1
+    witness = points.rule(pairs[0].told.place)
+    hint = f"remove {'it' if alone else 'them'}, or conclude what was meant"
     return found(
         "FCL606",
         f"{rules_named(labels)} {'has' if alone else 'have'} no effect on `{because.conclusion.variable}`: "
         f"rule {because.label} concludes the same, never with a smaller degree",
         [each.told.conclusion.span for each in pairs],
-        f"remove {'it' if alone else 'them'}, or conclude what was meant",
+        hint + seen(because.rule.span, witness),
         others=[(because.conclusion.span, "this counts instead")],
         rule=labels[0] if alone else because.label,
         beside=because.label if alone else labels[0],
-        witness=points.rule(pairs[0].told.place),
+        witness=witness,
     )
 
 
@@ -160,15 +158,17 @@ def _nested(pairs: Sequence[Pair], points: Witnesses) -> Finding:
     """Return one finding for a general rule, with all that it stands beside."""
     because = pairs[0].because
     labels = _labels(pairs)
+    witness = points.rule(pairs[0].told.place)
+    hint = "an exception does not switch the general rule off: let that ask for the other cases alone"
     return found(
         "FCL607",
         f"rule {because.label} counts, too, wherever {rules_named(labels)} "
         f"fire{'s' if len(labels) == 1 else ''}, with another conclusion on `{because.conclusion.variable}`",
         [because.conclusion.span],
-        "an exception does not switch the general rule off: let that ask for the other cases alone",
+        hint + seen(because.rule.span, witness),
         Severity.NOTE,
         others=[(each.told.conclusion.span, "asks for more") for each in pairs[:2]],
         rule=because.label,
         beside=labels[0],
-        witness=points.rule(pairs[0].told.place),
+        witness=witness,
     )

@@ -21,7 +21,7 @@ from fcl_sim.proof.terms import (
 )
 from fcl_sim.proof.universe import Universe
 from fcl_sim.proof.witnesses import Witnesses
-from fcl_sim.proof.words import command, interval, number, over, quoted, rules_named
+from fcl_sim.proof.words import interval, number, over, quoted, rules_named, seen
 from fcl_sim.units import short
 
 
@@ -90,7 +90,7 @@ def _off_one(fuzzification: Fuzzification, off: OffOne, witness: Point | None, u
         span = off.slip.term.span
         own, theirs = short(off.slip.place), short(off.slip.better)
         hint = f"the neighbours of `{off.slip.term.name}` have {theirs} for {own}"
-    hint += _seen(fuzzification, witness, thin=True)
+    hint += seen(fuzzification.span, witness, thin=True)
     return found("FCL614", message, [span], hint, Severity.NOTE, variable=name, witness=witness)
 
 
@@ -115,15 +115,8 @@ def _bare(
         witness = points.inside({name: sides[0]})
         message = f"no term of `{name}` is above 0 {where}"
         hint = "let neighbouring terms overlap: the one begins to rise where the other begins to fall"
-        hint += _seen(fuzzification, witness, thin=sides[0].is_point)
+        hint += seen(fuzzification.span, witness, thin=sides[0].is_point)
         yield found("FCL612", message, [fuzzification.span], hint, variable=name, witness=witness)
-
-
-def _seen(fuzzification: Fuzzification, witness: Point | None, *, thin: bool) -> str:
-    """Return the command that shows the degrees of an input at a point."""
-    if witness is None:
-        return ""
-    return f"; see `{command(fuzzification.span, witness, thin=thin, explain=True)}`"
 
 
 def _outputs(block: FunctionBlock) -> Iterator[Finding]:

@@ -100,6 +100,11 @@ def command(
     return f"fcl-sim eval {file}{more} {assignments(point)}"
 
 
+def seen(span: Span | None, point: Mapping[str, Fraction] | None, *, thin: bool = False) -> str:
+    """Return the end of a hint: the command that shows step by step what is so at a point, if any."""
+    return "" if point is None else f"; see `{command(span, point, thin=thin, explain=True)}`"
+
+
 def quoted(names: Sequence[str]) -> str:
     """Return names, each in backquotes."""
     return listed([f"`{each}`" for each in names]).replace(" or ", " and ")
