@@ -141,8 +141,11 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
     parts += [(run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
     fires = [each for run in activation.first_users(runs) for each in activation.over_time(run)]
     parts.append(("Which rules fire when", "", fires))
-    maps = [each for run in runs for each in characteristics.over_inputs(run)]
-    parts.append(("The runs on the characteristic", CHARACTERISTIC, maps))
+    shown = _on_characteristic(runs)
+    maps = [each for run in shown for each in characteristics.over_inputs(run)]
+    others = [one_line(run.variant) for run in runs if run not in shown]
+    rest = f" {ELSEWHERE}: {joined(others)}." if others else ""
+    parts.append(("The runs on the characteristic", CHARACTERISTIC + rest, maps))
     over = [
         _section(
             outcome,
@@ -156,6 +159,17 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
     ]
     sections = [_section(outcome, register, *part) for part in parts if part[2]]
     return [*_beside(outcome, register), *over, *sections]
+
+
+def _on_characteristic(runs: Sequence[Run]) -> list[Run]:
+    """Return the first run of each rule base, that which misses most, and all that are undefined anywhere."""
+    telling = [*activation.first_users(runs), max(runs, key=_missed)]
+    telling += [run for run in runs if any(not each.active.all() for each in run.trace.fuzzy.values())]
+    return [run for run in runs if any(run is each for each in telling)]
+
+
+def _missed(run: Run) -> int:
+    return sum(each.measured is not Status.PASS for each in run.verdicts)
 
 
 def _section(
@@ -195,6 +209,7 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
     return found
 
 
+ELSEWHERE = "Not drawn, as a rule is active in every scan of them"
 CHARACTERISTIC = (
     "What a rule base gives for every pair of inputs, and the way of each run over it, "
     "from the circle to the square, the darker the later; round times are marked. "

@@ -4,6 +4,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+import numpy as np
+
 from fcl_sim.report import alt
 from fcl_sim.report.canvas import Figure
 from fcl_sim.report.events import marks_of
@@ -44,13 +46,20 @@ def all_runs(outcome: Outcome) -> list[Picture]:
 
 
 def over_time(run: Run) -> list[Picture]:
-    """Return every signal of a run over time, as many figures as pages are needed."""
+    """Return every signal of a run over time, as many figures as pages are needed.
+
+    What is not judged and never changes is told in the first caption instead.
+    """
     view = view_of(run)
-    parted = pages(lanes(view))
+    every = lanes(view)
+    still = [each for each in every if not each.judged and _is_still(run, each)]
+    if len(still) == len(every):
+        still = []
+    parted = pages([each for each in every if each not in still])
     return [
         Picture(
             name=numbered(f"{run.variant}-time", index, len(parted)),
-            caption=_caption(run, page, index),
+            caption=_caption(run, page, index) + (_told(run, still) if index == 0 else ""),
             alt=alt.of_runs([view], page),
             draw=partial(time_plot, [view], page),
         )
@@ -67,6 +76,20 @@ def view_of(run: Run) -> Shown:
     """Return a run as a time plot takes it."""
     duration = run.diagram.timing.duration / 1e9
     return Shown(label=run.variant, trace=run.trace, duration=duration, verdicts=run.verdicts)
+
+
+def _is_still(run: Run, lane: Lane) -> bool:
+    values = run.trace[lane.signal]
+    return bool(len(values) and np.isfinite(values[0]) and (values == values[0]).all())
+
+
+def _told(run: Run, still: Sequence[Lane]) -> str:
+    """Return the values of signals that never change."""
+    values = [
+        f"{one_line(' = '.join(each.names))} = {with_unit(float(run.trace[each.signal][0]), each.unit)}"
+        for each in still
+    ]
+    return f" Constant: {'; '.join(values)}." if values else ""
 
 
 def _caption(run: Run, page: Sequence[Lane], index: int) -> str:

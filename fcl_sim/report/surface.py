@@ -29,6 +29,9 @@ TILES = 19
 NAME = 19.0
 """Width in mm of the name of an input beside it."""
 
+CELLS = 700
+"""Parts of the width and height of a map by which points of a track are told apart: a tenth of a mm."""
+
 MOST_TIMES = 14
 """Round times that are marked on a track, at most."""
 APART = 6.0
@@ -231,7 +234,7 @@ def _draw_times(axes: Axes, track: Track) -> None:
         axes.add(Text(x, y, told, TIME, up="bottom", shift=(0.8, 0.5), backed=0.15, z=5.6))
 
 
-def _kept(track: Track, spans: tuple[float, float], cells: int = 1500) -> NDArray[np.intp]:
+def _kept(track: Track, spans: tuple[float, float], cells: int = CELLS) -> NDArray[np.intp]:
     """Return which points of a track are finite and leave their `cells`-th of the spans, and its last."""
     finite = np.flatnonzero(np.isfinite(track.x) & np.isfinite(track.y))
     if len(finite) < 2:
@@ -244,7 +247,7 @@ def _kept(track: Track, spans: tuple[float, float], cells: int = 1500) -> NDArra
 
 
 def thinned_path(
-    track: Track, spans: tuple[float, float], cells: int = 1500
+    track: Track, spans: tuple[float, float], cells: int = CELLS
 ) -> tuple[Values, Values, NDArray[np.bool_]]:
     """Return the points of a track that are finite and leave their `cells`-th of the spans, and its last."""
     kept = _kept(track, spans, cells)

@@ -215,6 +215,10 @@ def _written(mark: Text, line: str, at: tuple[int, int], given: str) -> str:
     return f'<text x="{x}" y="{y}" {given}>{"".join(spans)}</text>'
 
 
+LONG = 12
+"""Points from which on a polyline is written as steps."""
+
+
 def _path(axes: Axes, mark: Line | Shape, *, closed: bool = False) -> str:
     """Return the outline of a mark, without the points that nothing would be missed of."""
     x, y = (np.asarray(each, dtype=np.float64) for each in (mark.x, mark.y))
@@ -227,8 +231,16 @@ def _path(axes: Axes, mark: Line | Shape, *, closed: bool = False) -> str:
     pieces = []
     for start, end in zip(ends[::2], ends[1::2], strict=True):
         piece = whole[start:end] if end - start < 3 else _bent(whole[start:end])
-        pieces.append("M" + " ".join(map(str, piece.ravel().tolist())) + ("Z" if closed else ""))
+        pieces.append(_written_path(piece) + ("Z" if closed else ""))
     return "".join(pieces) if len(whole) else ""
+
+
+def _written_path(points: NDArray[np.int64]) -> str:
+    """Return a polyline (n, 2); a long one as steps from point to point, which take fewer digits."""
+    if len(points) < LONG:
+        return "M" + " ".join(map(str, points.ravel().tolist()))
+    x, y = points[0].tolist()
+    return f"M{x} {y}l" + " ".join(map(str, np.diff(points, axis=0).ravel().tolist()))
 
 
 def _bent(points: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -64,12 +64,24 @@ def test_points_on_a_straight_way_are_left_out_and_nothing_is_missed(points):
     x, y = np.array(points, dtype=float).T
     made.add(Line(x, y, "#000000"))
     (path,) = paths(figure)
-    kept = [
-        (float(a) / 1000.0 - 1.0, 1.0 - (float(b) - 500.0) / 2000.0)
-        for a, b in re.findall(r"(\d+) (\d+)", path)
-    ]
+    kept = [(float(a) / 1000.0 - 1.0, 1.0 - (float(b) - 500.0) / 2000.0) for a, b in places(path)]
     assert (kept[0], kept[-1]) == (points[0], points[-1])
     assert way(kept) == way(points)
+
+
+def places(path):
+    """Return the points of one outline: those behind `l` are told as steps."""
+    first, _, steps = path.partition("l")
+    told = [np.array(re.findall(r"-?\d+", each), dtype=int).reshape(-1, 2) for each in (first, steps)]
+    return [*told[0].tolist(), *(told[0][-1] + np.cumsum(told[1], axis=0)).tolist()]
+
+
+def test_a_long_line_is_told_in_steps():
+    figure, made = axes()
+    made.add(Line(np.tile([0.0, 1.0], 10), np.linspace(-1.0, 1.0, 20), "#000000"))
+    (path,) = paths(figure)
+    assert path.startswith("M1000 4500l1000 -211 -1000 -")
+    assert places(path)[-1] == [2000, 500]
 
 
 def way(points):

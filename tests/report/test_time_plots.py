@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 from fcl_sim.judge.verdict import Band, Corridor, Status
 from fcl_sim.report.bands import apart, focus_on
 from fcl_sim.report.canvas import Line, Shape
+from fcl_sim.report.pictures import over_time
 from fcl_sim.report.style import COLOURS, VIOLATION
 from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
-from tests.report.synthetic import EVIL, LONG, of_formula, requirement, trace, verdict, verdicts
+from tests.report.synthetic import EVIL, LONG, of_formula, requirement, run, trace, verdict, verdicts
 
 
 def shown(kind: str = "settles", label: str = "base", **given) -> Shown:
@@ -187,3 +188,13 @@ def test_a_run_without_a_sample_can_be_drawn():
 def test_a_signal_that_is_never_finite_can_be_drawn():
     run = trace()
     figure(shown(trace=replace(run, values=run.values * np.nan)))
+
+
+def test_a_signal_that_never_changes_is_told_instead_of_drawn(tmp_path):
+    names = ("crane.distance", "crane.sway", "setpoint", "controller.rules.power")
+    found = trace(names=names)
+    values = found.values.copy()
+    values[:, 2] = 2.5
+    (picture,) = over_time(run(tmp_path, trace=replace(found, values=values)))
+    assert "setpoint" not in [each.label for each in picture.draw().axes]
+    assert picture.caption.endswith(" Constant: setpoint = 2.5\N{NO-BREAK SPACE}m.")

@@ -77,7 +77,7 @@ def test_the_page_for_a_browser_is_written_on_request_and_that_of_an_older_repor
 def test_what_is_done_is_told_in_its_order(small, tmp_path):
     told: list[str] = []
     write(small, tmp_path / "reports", lap=told.append)
-    assert told == ["drawing", "writing", "drawing", "typesetting", "writing"]
+    assert told == ["drawing", "typesetting", "writing"]
 
 
 def test_a_report_replaces_the_one_before_and_leaves_other_files_alone(small, tmp_path):
