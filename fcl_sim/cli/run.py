@@ -29,6 +29,7 @@ from fcl_sim.verify.cover import LEAST
 from fcl_sim.verify.coverage import Coverage, Item
 
 FORMATS = ("text", "json", "github")
+COMPILING = "Compiling the simulator for this machine. It takes a minute or more, and is done once."
 FILE: click.Path = click.Path(path_type=Path, dir_okay=False)
 
 
@@ -134,8 +135,11 @@ def command(  # noqa: PLR0913  an option each
     outputs = Outputs.of(targets, form)
     as_json = form == "json"
     watch = Stopwatch()
+    is_warm = _is_warm()
+    if not is_warm:
+        click.echo(COMPILING, err=True)
     outcomes, faults = _simulate(files, overrides)
-    watch.lap("simulating and judging")
+    watch.lap("simulating and judging" if is_warm else "compiling, simulating and judging")
     if older is not None and not faults:
         outcomes = against(outcomes, older)
         watch.lap("the older version")
@@ -193,7 +197,7 @@ def _simulate(
     """Run every scenario; return what came of those that could be run, and each fault of the others once."""
     outcomes: list[Outcome] = []
     faults: dict[Diagnostic, None] = {}
-    with progress("simulating" if _is_warm() else "compiling kernels (once), simulating") as advance:
+    with progress("simulating") as advance:
         advance(0, len(files))
         each_found = zip(files, testbench.run_files(files, overrides), strict=True)
         for done, (file, found) in enumerate(each_found, 1):

@@ -36,9 +36,13 @@ GITHUB = ("GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY", "GITHUB_WORKSPACE")
 
 @pytest.fixture
 def invoke(monkeypatch):
-    """Run the command line in this process: exit code, stdout and stderr are attributes of the result."""
+    """Run the command line in this process: exit code, stdout and stderr are attributes of the result.
+
+    Whether kernels are still to be compiled changes nothing that is printed.
+    """
     for name in ("NO_COLOR", *GITHUB):
         monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("fcl_sim.cli.run._is_warm", lambda: True)
 
     def run(*arguments):
         return CliRunner().invoke(program, [str(each) for each in arguments], prog_name="fcl-sim")

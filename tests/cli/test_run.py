@@ -123,6 +123,15 @@ def test_the_same_fault_of_two_scenarios_is_said_once(invoke, bench):
     )
 
 
+def test_whoever_waits_for_the_compiler_is_told(invoke, bench, monkeypatch):
+    told = "Compiling the simulator for this machine."
+    assert told not in invoke("run", "--no-report").stderr
+    monkeypatch.setattr("fcl_sim.cli.run._is_warm", lambda: False)
+    result = invoke("run", "--no-report")
+    assert result.stderr.startswith(told)
+    assert "compiling, simulating and judging" in result.stdout
+
+
 def test_in_a_pipe_a_verdict_stays_one_line(invoke, bench):
     short = bench / "scenarios" / "crane" / "short.toml"
     name = "a_long_name_" * 20
