@@ -135,11 +135,7 @@ def command(  # noqa: PLR0913  an option each
     outputs = Outputs.of(targets, form)
     as_json = form == "json"
     watch = Stopwatch()
-    is_warm = _is_warm()
-    if not is_warm:
-        click.echo(COMPILING, err=True)
-    outcomes, faults = _simulate(files, overrides)
-    watch.lap("simulating and judging" if is_warm else "compiling, simulating and judging")
+    outcomes, faults = _simulate(files, overrides, watch)
     if older is not None and not faults:
         outcomes = against(outcomes, older)
         watch.lap("the older version")
@@ -192,11 +188,14 @@ def _print_coverage(covered: Sequence[Coverage], *, whole: bool) -> None:
 
 
 def _simulate(
-    files: Sequence[Path], overrides: Mapping[str, object]
+    files: Sequence[Path], overrides: Mapping[str, object], watch: Stopwatch
 ) -> tuple[list[Outcome], dict[Diagnostic, None]]:
     """Run every scenario; return what came of those that could be run, and each fault of the others once."""
     outcomes: list[Outcome] = []
     faults: dict[Diagnostic, None] = {}
+    is_warm = _is_warm()
+    if not is_warm:
+        click.echo(COMPILING, err=True)
     with progress("simulating") as advance:
         advance(0, len(files))
         each_found = zip(files, testbench.run_files(files, overrides), strict=True)
@@ -206,6 +205,7 @@ def _simulate(
                 outcomes.append(found)
             else:
                 faults.update(dict.fromkeys(each.within(str(file)) for each in found.diagnostics))
+    watch.lap("simulating and judging" if is_warm else "compiling, simulating and judging")
     return outcomes, faults
 
 
