@@ -11,13 +11,9 @@ a digest of every kernel source, because numba's own cache does not notice an
 edit in a called function of another file.
 """
 
-import hashlib
-import os
-import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 from threading import Lock
 from types import SimpleNamespace
@@ -27,24 +23,20 @@ import numba
 import numpy as np
 from llvmlite import ir as llvm
 from numba import extending
-from numba.core import caching, cgutils, errors, ir, types
-from numba.core.compiler import CompilerBase, DefaultPassBuilder
+from numba.core import caching, cgutils, errors, ir, targetconfig, types
+from numba.core.compiler import CompilerBase, DefaultPassBuilder, Flags
 from numba.core.compiler_machinery import AnalysisPass, FunctionPass, register_pass
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NopythonTypeInference
 from numba.core.untyped_passes import IRProcessing
 from numba.experimental import structref
 
+from fcl_sim.kernel_cache import cache_folder
+
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 CompileError = errors.NumbaError
 """What compiling raises of code outside numba's subset."""
-
-KERNEL_ROOMS = ("arithmetic", "engine", "concept", "plant", "loop")
-"""What a compiled kernel can come from, relative to the package; the digest covers all of it."""
-
-KEPT_FOLDERS = 24
-"""Folders of the cache, one for each plant and one for all else, of which the last used are kept."""
 
 OPTIONS = {"nogil": True, "error_model": "numpy"}
 """How kernels are compiled."""
@@ -139,12 +131,20 @@ class _Inner(CPUDispatcher):
         return self.py_func(*arguments)
 
 
-def _inner(function: Function, pipeline: Any = None, **options: Any) -> Function:
+class _Apart(_Inner):
+    """One that is compiled as if nobody called it: numba hands options of a caller on to what it calls."""
+
+    def compile(self, sig: Any) -> Any:
+        with targetconfig.ConfigStack().enter(Flags()):
+            return super().compile(sig)
+
+
+def _inner(function: Function, pipeline: Any = None, kind: type[_Inner] = _Inner, **options: Any) -> Function:
     if not compiled():
         return function
     wrappers = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     own = {} if pipeline is None else {"pipeline_class": pipeline}
-    dispatcher: Any = _Inner(
+    dispatcher: Any = kind(
         function, targetoptions={"nopython": True, **OPTIONS, **wrappers, **options}, **own
     )
     return cast("Function", dispatcher)
@@ -162,6 +162,14 @@ def flat(function: Function) -> Function:
     much as a small rule base, wherever its own pruning does not see through.
     """
     return _inner(function, _Pipeline, _nrt=False)
+
+
+def apart(function: Function) -> Function:
+    """Decorate a flat kernel that is never copied into its callers, though they are into theirs.
+
+    What is called seldom, or works long, is compiled in less time so.
+    """
+    return _inner(function, _Pipeline, _Apart, _nrt=False)
 
 
 def inlined(function: Function) -> Function:
@@ -299,56 +307,6 @@ def _compile(
     dispatcher.compile(signature)
     dispatcher.disable_compile()
     return cast("Callable[..., Any]", dispatcher)
-
-
-def cache_folder(salt: str = "") -> Path | None:
-    """Return the writable folder of today's kernels, or None when none can be written.
-
-    Under `FCL_SIM_CACHE_DIR`, else the user's cache folder; named by a digest
-    of the kernel sources and `salt`. Old folders are removed when a new one is
-    made.
-    """
-    home = _cache_home()
-    folder = home / hashlib.sha256(f"{_sources_digest()} {salt}".encode()).hexdigest()[:24]
-    try:
-        if not folder.is_dir():
-            folder.mkdir(parents=True, exist_ok=True)
-            _forget_old(home)
-        os.utime(folder)  # a folder in use is not an old one, however many plants come and go
-        return folder if os.access(folder, os.W_OK) else None
-    except OSError:
-        return None
-
-
-def _cache_home() -> Path:
-    chosen = os.environ.get("FCL_SIM_CACHE_DIR")
-    if chosen:
-        return Path(chosen)
-    if sys.platform == "win32":
-        base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
-    else:
-        base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    try:
-        return Path(base).expanduser() / "fcl_sim" / "kernels"
-    except RuntimeError:  # a user without a home folder
-        return Path(os.devnull) / "fcl_sim"
-
-
-def _forget_old(home: Path) -> None:
-    folders = sorted(home.iterdir(), key=lambda each: each.stat().st_mtime, reverse=True)
-    for folder in folders[KEPT_FOLDERS:]:
-        shutil.rmtree(folder, ignore_errors=True)
-
-
-@cache
-def _sources_digest() -> str:
-    package = Path(__file__).parent
-    digest = hashlib.sha256()
-    rooms = [file for room in KERNEL_ROOMS for file in sorted((package / room).rglob("*.py"))]
-    for file in [Path(__file__), *rooms]:
-        digest.update(file.relative_to(package).as_posix().encode())
-        digest.update(file.read_bytes())
-    return digest.hexdigest()
 
 
 def _cache_in(folder: Path) -> type[caching.FunctionCache]:

@@ -18,8 +18,8 @@ from fcl_sim.cli.stopwatch import Stopwatch
 from fcl_sim.cli.table import console, print_envelopes, print_runs, print_verdicts
 from fcl_sim.cli.watch import watch as watch_scenarios
 from fcl_sim.diagnostics import Diagnostic, InputFault
-from fcl_sim.jit import cache_folder
 from fcl_sim.judge.verdict import Status
+from fcl_sim.kernel_cache import cache_folder
 from fcl_sim.loop import trace_file
 from fcl_sim.report import coverage_words, results, summary, writer
 from fcl_sim.scenario.document import shown

@@ -39,7 +39,7 @@ from fcl_sim.engine.program import (
     GROUP_MAX,
     TIE,
 )
-from fcl_sim.jit import flat, u
+from fcl_sim.jit import apart, flat, u
 
 Ints = NDArray[int64]
 Floats = NDArray[float64]
@@ -63,7 +63,7 @@ Curved = int | None
 CURVED = 1
 
 
-@flat
+@apart
 def accumulate_curved(
     ints: Ints,
     floats: Floats,

@@ -46,7 +46,8 @@ def package(tmp_path):
         (folder / room).mkdir(parents=True)
         (folder / room / "__init__.py").touch()
     (folder / "__init__.py").touch()
-    shutil.copy(PACKAGE / "jit.py", folder)
+    for file in ("jit.py", "kernel_cache.py"):
+        shutil.copy(PACKAGE / file, folder)
     (folder / "arithmetic" / "inner.py").write_text(INNER)
     (folder / "engine" / "outer.py").write_text(OUTER)
     return folder

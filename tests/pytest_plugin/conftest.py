@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fcl_sim.jit import cache_folder
+from fcl_sim.kernel_cache import cache_folder
 from fcl_sim.pytest_plugin import items  # what simulates is loaded before pytester looks at sys.modules
 from fcl_sim.testbench import run
 
