@@ -190,7 +190,21 @@ PREFIXED = frozenset(
     {"g", "m", "l", "s", "Hz", "N", "Pa", "bar", "J", "Wh", "W", "A", "V", "Ohm", "K", "mol"}
 )
 OTHER_SPELLINGS: Mapping[str, str] = MappingProxyType(
-    {"°C": "degC", "°": "deg", "L": "l", "Ω": "Ohm", "Nm": "N m", "sec": "s", "hr": "h", "C": "degC"}
+    {
+        "°C": "degC",
+        "C": "degC",
+        "°": "deg",
+        "Ω": "Ohm",
+        "Nm": "N m",
+        "L": "l",
+        "ltr": "l",
+        "liter": "l",
+        "litre": "l",
+        "lpm": "l/min",
+        "sec": "s",
+        "hr": "h",
+        "kph": "km/h",
+    }
 )
 ACCEPTED_SPELLINGS = frozenset({"°C", "°", "L", "Ω"})
 

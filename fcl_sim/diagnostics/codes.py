@@ -159,6 +159,8 @@ CODES: dict[str, str] = {
     "PLT204": "a plant function does not keep the contract",
     "PLT205": "a plant function leaves a result unset",
     "PLT206": "a transition gives no mode",
+    "PLT207": "a plant declares a unit that is not known",
+    "PLT208": "a value in a plant's declaration is of another kind",
     "PLT301": "a plant's own code fails",
     "PLT302": "a plant's code cannot be compiled",
     "RUN101": "the system refused to read or write",

@@ -13,8 +13,9 @@ from typing import Any
 
 from fcl_sim.diagnostics import InputFault, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.plant.contract import check_declaration, check_functions, fault_in
+from fcl_sim.plant.contract import check_functions, fault_in
 from fcl_sim.plant.declaration import Plant
+from fcl_sim.plant.declared import check_declaration
 from fcl_sim.plant.functions import DEFAULTS, PARTS, REQUIRED, PlantFunctions, as_entry
 
 GROUP = "fcl_sim.plants"

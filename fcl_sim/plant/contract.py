@@ -1,8 +1,8 @@
-"""Hold a plant file against the contract before it is compiled.
+"""Hold the functions of a plant file against the contract before they are compiled.
 
 Compiled code checks no bounds, so every function is first run once per mode in
 pure Python, on arrays that refuse negative and excess indices and with results
-filled with NaN: a mistake becomes an error that names the file and the line.
+filled beforehand: a mistake becomes an error that names the file and the line.
 """
 
 import inspect
@@ -10,17 +10,18 @@ import math
 import traceback
 from collections.abc import Callable
 from pathlib import Path
-from types import FunctionType, ModuleType
+from types import FunctionType
 from typing import Any, NoReturn
 
 import numpy as np
 
-from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Source, Span, nearest
+from fcl_sim.diagnostics import InputFault
 from fcl_sim.plant.declaration import START, Plant
-from fcl_sim.plant.functions import ARGUMENTS, PARTS, REQUIRED
+from fcl_sim.plant.functions import ARGUMENTS
+from fcl_sim.plant.places import PlantFile
 
-MOST_EVENTS = 62
-"""The loop keeps a bit per event in one word."""
+PROBES = (math.nan, -0.7853981633974483)
+"""What results hold before a function is run: the first shows that one is not a number, the second why."""
 
 
 class GuardedArray(np.ndarray[Any, np.dtype[np.float64]]):
@@ -45,37 +46,6 @@ def _guarded(values: Any) -> GuardedArray:
     return np.array(values, dtype=np.float64).view(GuardedArray)
 
 
-def check_declaration(module: ModuleType, path: Path) -> Plant:
-    """Return PLANT of a plant file; InputFault when it or a required function is missing or malformed."""
-    plant = getattr(module, "PLANT", None)
-    if not isinstance(plant, Plant):
-        _refuse(path, "PLT201", "a plant file declares `PLANT = Plant(...)`, and this one does not")
-    for part in REQUIRED:
-        if not callable(getattr(module, part, None)):
-            near = nearest(part, [name for name in vars(module) if callable(getattr(module, name))])
-            hint = f"`{near}` looks like it" if near and near not in PARTS else ""
-            _refuse(
-                path, "PLT202", f"the plant has no function `{part}({', '.join(ARGUMENTS[part])})`", hint=hint
-            )
-    groups = [[each.name for each in plant.states], [each.name for each in plant.inputs]]
-    groups += [[each.name for each in plant.outputs], [each.name for each in plant.parameters]]
-    for names in groups:
-        for name in {name for name in names if names.count(name) > 1}:
-            _refuse(path, "PLT203", f"the plant declares `{name}` twice")
-    signals = {each.name for each in plant.outputs} & {each.name for each in plant.inputs}
-    for name in sorted(signals):
-        _refuse(path, "PLT203", f"`{name}` is an input and an output; signals of a plant have one name each")
-    if len(plant.events) > MOST_EVENTS:
-        _refuse(path, "PLT203", f"the plant declares {len(plant.events)} events; {MOST_EVENTS} are possible")
-    if plant.events and not callable(getattr(module, "events", None)):
-        _refuse(
-            path,
-            "PLT202",
-            f"the plant declares events but has no function `events({', '.join(ARGUMENTS['events'])})`",
-        )
-    return plant
-
-
 def check_functions(plant: Plant, functions: dict[str, Callable[..., Any]], path: Path) -> None:
     """Run every function once per mode at the start values; InputFault for the first mistake."""
     plain = _plain(functions, path)
@@ -89,8 +59,10 @@ def check_functions(plant: Plant, functions: dict[str, Callable[..., Any]], path
     for mode in range(len(plant.modes)):
         for part, names in results.items():
             if part in plain:
-                given = _call_filling(plain[part], plant, mode, len(names), path)
-                _check_filled(part, given, names, plant.modes[mode].name, path, plain[part])
+                filled = [_guarded(np.full(len(names), fill)) for fill in PROBES]
+                probes = [_call_filling(plain[part], plant, mode, each, path) for each in filled]
+                within = f" in the mode `{plant.modes[mode].name}`" if len(plant.modes) > 1 else ""
+                _check_filled(part, probes, names, within, path, plain[part])
         if "transition" in plain:
             for event in range(START, len(plant.events)):
                 _check_transition(plain["transition"], plant, event, mode, path)
@@ -105,22 +77,14 @@ def fault_in(path: Path, error: BaseException, message: str) -> InputFault:
         frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)
     ]
     line = error.lineno if isinstance(error, SyntaxError) else (lines[-1] if lines else None)
-    span = _line_span(path, line) if line else None
+    span = PlantFile(path).line(line) if line else None
     reason = error.msg if isinstance(error, SyntaxError) else f"{type(error).__name__}: {error}"
-    place = Place(span=span, file=str(path))
-    return InputFault([Diagnostic(code="PLT301", message=f"{message}: {reason}", places=(place,))])
+    return PlantFile(path).refusal("PLT301", f"{message}: {reason}", span)
 
 
 def _refuse(path: Path, code: str, message: str, *, line: int | None = None, hint: str = "") -> NoReturn:
-    place = Place(span=_line_span(path, line) if line else None, file=str(path))
-    raise InputFault([Diagnostic(code=code, message=message, places=(place,), hint=hint)])
-
-
-def _line_span(path: Path, line: int) -> Span:
-    source = Source(str(path), path.read_text(encoding="utf-8", errors="replace"))
-    text = source.line_text(line)
-    start = source.line_starts[line - 1] + len(text) - len(text.lstrip())
-    return Span(source, start, start + max(1, len(text.strip())))
+    file = PlantFile(path)
+    raise file.refusal(code, message, file.line(line) if line else None, hint)
 
 
 def _plain(functions: dict[str, Callable[..., Any]], path: Path) -> dict[str, FunctionType]:
@@ -176,28 +140,36 @@ def _run(path: Path, function: FunctionType, *arguments: Any) -> Any:
         raise fault_in(path, error, f"`{function.__name__}` fails at the start values") from error
 
 
-def _call_filling(function: FunctionType, plant: Plant, mode: int, size: int, path: Path) -> GuardedArray:
+def _call_filling(
+    function: FunctionType, plant: Plant, mode: int, result: GuardedArray, path: Path
+) -> GuardedArray:
     x, u, p = _start(plant)
-    result = _guarded(np.full(size, math.nan))
     _run(path, function, 0.0, x, u, p, mode, result)
     return result
 
 
 def _check_filled(
-    part: str, given: GuardedArray, names: list[str], mode: str, path: Path, function: FunctionType
+    part: str, probes: list[GuardedArray], names: list[str], within: str, path: Path, function: FunctionType
 ) -> None:
     letter = ARGUMENTS[part][-1]
     for index, name in enumerate(names):
-        if not math.isfinite(given[index]):
-            state = "leaves" if math.isnan(given[index]) else "makes"
-            what = "unset or NaN" if math.isnan(given[index]) else "infinite"
-            _refuse(
-                path,
-                "PLT205",
-                f"`{part}` {state} {letter}[{index}] (`{name}`) {what} in the mode `{mode}`",
-                line=function.__code__.co_firstlineno,
-                hint=f"set {letter}[{index}] on every path through `{part}`",
-            )
+        what = f"{letter}[{index}]"
+        first, second = (float(each[index]) for each in probes)
+        if not math.isfinite(first):
+            message, hint = _unfilled(what, name, first, second)
+            line = function.__code__.co_firstlineno
+            _refuse(path, "PLT205", f"`{part}` {message}{within}", line=line, hint=hint.format(part=part))
+
+
+def _unfilled(what: str, name: str, first: float, second: float) -> tuple[str, str]:
+    """Return what a function does to a result, given what the two probes became, and what would be right."""
+    if math.isinf(first):
+        return f"makes {what} (`{name}`) infinite", "at the start values every result of `{part}` is finite"
+    if math.isnan(second):
+        return f"makes {what} (`{name}`) NaN", "at the start values every result of `{part}` is a number"
+    if second == PROBES[1]:
+        return f"leaves {what} (`{name}`) unset", f"set {what} on every path through `{{part}}`"
+    return f"reads {what} (`{name}`) before it sets it", f"set {what} before it is read"
 
 
 def _check_transition(function: FunctionType, plant: Plant, event: int, mode: int, path: Path) -> None:

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fcl_sim.diagnostics import InputFault
-from fcl_sim.jit import CompileError, Entry, F, f8, function_type, i8, signature, void
+from fcl_sim.jit import Entry, F, f8, function_type, i8, signature, void
+from fcl_sim.plant.places import PlantFile
+from fcl_sim.plant.uncompiled import uncompiled
 
 Array = NDArray[np.float64]
 
@@ -79,14 +80,11 @@ class PlantFunctions:
         return tuple(self._compiled(part) for part in PARTS)
 
     def _compiled(self, part: str) -> PlantFunction:
+        entry: Entry = getattr(self, part)
         try:
-            entry: Entry = getattr(self, part)
             return entry.compile()
-        except CompileError as error:
-            reason = str(error).strip().splitlines()
-            message = f"`{part}` cannot be compiled: " + next((each for each in reason if each.strip()), "")
-            hint = "a plant is written in numba's subset of Python: numbers, arrays, math, loops and branches"
-            raise InputFault.at_file("PLT302", str(self.path), message, hint) from error
+        except Exception as error:  # numba raises errors of many kinds, not all of them its own
+            raise uncompiled(part, entry.function, error, PlantFile(self.path)) from error
 
 
 def as_entry(part: str, function: Callable[..., Any], salt: str) -> Entry:

@@ -4,7 +4,7 @@ import pytest
 
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.plant.catalog import find, shipped_bench
-from tests.plant.test_contract import GOOD
+from tests.plant.tanks import GOOD
 
 
 def test_the_shipped_crane_is_found_without_a_bench():
