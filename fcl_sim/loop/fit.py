@@ -4,11 +4,11 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from fcl_sim.diagnostics import Diagnostic, Place, Span, nearest
 from fcl_sim.diagnostics.spelling import listed
-from fcl_sim.loop.blocks.declaration import BlockParameter, Misfit, ToldElsewhere, UnitRule
+from fcl_sim.loop.blocks.declaration import BlockParameter, Like, Misfit, ToldElsewhere, UnitRule
 from fcl_sim.loop.blocks.setting import Setting
 from fcl_sim.loop.diagram import FuzzyNode, Node, Timing
 from fcl_sim.loop.settings import members_of, outputs_of, quantities_of, resolved, setting_of, type_of
-from fcl_sim.units import Unit, UnitError, parse_unit, short
+from fcl_sim.units import Quantity, Unit, UnitError, parse_unit, short
 
 Faults = list[Diagnostic]
 
@@ -99,6 +99,10 @@ def settle(
     setting, misfits = setting_of(node, given, timing)
     for name, error in misfits:
         parameter = next(each for each in type_of(node).parameters if each.name == name)
+        bare = _bare_partner(node, parameter)
+        if bare is not None:
+            faults.append(bare)
+            continue
         message = f"`{name}` of `{node.name}`: {error}"
         hint = f"it is {parameter.meaning}; {error.hint}" if error.hint else f"it is {parameter.meaning}"
         faults.append(fault("WIR201", message, _place(node, name), hint))
@@ -106,6 +110,19 @@ def settle(
     if not misfits:
         faults += _out_of_bounds(node, setting)
     return setting, _output_units(node, given, faults)
+
+
+def _bare_partner(node: Node, parameter: BlockParameter) -> Diagnostic | None:
+    """Return the fault of a number without a unit, where it is to have that of `parameter`, which has one."""
+    rule, given = parameter.unit, node.parameters.get(parameter.name)
+    if not isinstance(rule, Like) or rule.times or not isinstance(given, Quantity):
+        return None
+    partner, unit = node.parameters.get(rule.name), given.unit.symbol
+    if not isinstance(partner, Quantity) or partner.unit.symbol or not unit:
+        return None
+    message = f"`{rule.name}` of `{node.name}` has no unit, and `{parameter.name}` is {given}"
+    written = Quantity(partner.value, given.unit)
+    return fault("WIR201", message, _place(node, rule.name), f'write it with its unit: "{written}"')
 
 
 def _unfit_units(node: Node, given: Mapping[str, Unit]) -> Iterator[Diagnostic]:

@@ -117,7 +117,8 @@ def _unfit_blocks(diagram: Diagram) -> Iterator[Diagnostic]:
     for declared in plant.model.declaration.inputs:
         if declared.name not in plant.inputs and not declared.optional:
             message = f"the plant's input `{plant.name}.{declared.name}` is not connected"
-            yield fault("WIR103", message, plant.span, f"it is {declared.meaning}, in {declared.unit or '1'}")
+            hint = f'it is in {declared.unit or "1"}: "{declared.meaning}"'
+            yield fault("WIR103", message, plant.span, hint)
     for node in diagram.nodes:
         yield from unfit_node(node)
 

@@ -212,6 +212,22 @@ def test_what_a_block_does_not_declare_is_refused(diagram, block, told):
     assert told in refusal(beside(diagram, block))
 
 
+def test_a_number_without_a_unit_is_blamed_and_not_its_partner_that_has_one(diagram):
+    assert refusal(beside(diagram, node("x", "step", before="4 m/s", after=6))) == (
+        "error[WIR201]: `after` of `x` has no unit, and `before` is 4 m/s\n"
+        '  hint: write it with its unit: "6 m/s"'
+    )
+
+
+def test_an_input_of_the_plant_without_a_signal_is_told_with_unit_and_meaning(diagram):
+    loose = replace(diagram, plant=replace(diagram.plant, inputs={}))
+    drive = diagram.plant.model.declaration.inputs[0]
+    assert refusal(loose).startswith(
+        f"error[WIR103]: the plant's input `crane.{drive.name}` is not connected\n"
+        f'  hint: it is in {drive.unit}: "{drive.meaning}"'
+    )
+
+
 def test_limits_follow_the_unit_of_what_they_limit(diagram):
     wiring = wire(beside(diagram, node("x", "limiter", {"input": "crane.distance"}, low="-50 cm")))
     assert wiring.settings["x"].values["low"] == -0.5
