@@ -68,7 +68,7 @@ class Cursor:
             hint = "a name begins with a letter or an underscore"
             raise self.refuse("FCL209", f"{message}, not {token.shown}", token, hint)
         if begins and token.kind not in {Kind.STRAY, Kind.END}:
-            raise self.refuse("FCL209", f"{message}, not {token.shown}", token)
+            raise self.refuse("FCL209", f"{message}, not {token.shown}", token, self._decimal_point())
         raise self.stray(message, code="FCL209")
 
     # -- what is wrong
@@ -78,6 +78,7 @@ class Cursor:
         token = self.token
         if token.kind is Kind.STRAY:
             return
+        hint = hint or self._decimal_point()
         if token.kind is Kind.END:
             self.findings.error(code, f"{message}, but the text ends", self._gap(), hint)
         elif self.starts_line():
@@ -98,6 +99,16 @@ class Cursor:
     def starts_line(self) -> bool:
         """Return whether the next token stands on another line than the one before."""
         return "\n" in self.source.text[self.last.end : self.token.start]
+
+    def _decimal_point(self) -> str:
+        """Return a hint about a number whose decimal comma comes next or came last."""
+        for first in (self._index - 1, self._index - 2):
+            found = self._tokens[max(first, 0) : first + 3]
+            if [each.key.isdigit() or each.key for each in found] != [True, ",", True]:
+                continue
+            if all(before.end == after.start for before, after in pairwise(found)):
+                return f"a decimal fraction is written with a point: {found[0].key}.{found[2].key}"
+        return ""
 
     def _gap(self) -> Stretch:
         """Return the place right behind the token taken last."""

@@ -164,3 +164,22 @@ def test_a_method_that_is_taken_is_taken_for_a_reason(method, reason):
         f"DEFUZZIFY valve has no METHOD: {method} is taken, since {reason}",
         f"write `METHOD: {method};`",
     )
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("closed := 0;", "closed := 1,5;"),
+        ("DEFAULT := 0;", "DEFAULT := 1,5;"),
+        ("valve IS inlet;", "valve IS inlet WITH 1,5;"),
+    ],
+)
+def test_a_decimal_comma_is_met_with_the_point(old, new):
+    _, hint = only(changed((old, new)))
+    assert hint == "a decimal fraction is written with a point: 1.5"
+
+
+def test_a_comma_before_something_else_is_not_taken_for_a_decimal_one():
+    for between in (", ", " ,", ", inlet"):
+        _, hint = only(changed(("closed := 0;", f"closed := 1{between}5;")))
+        assert hint == ""
