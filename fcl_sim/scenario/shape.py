@@ -21,6 +21,40 @@ LATER: Mapping[str, str] = {
 }
 """Keys of later versions, and what serves until then."""
 
+OTHER_NAMES: Mapping[str, str] = {
+    other: name
+    for name, others in {
+        "constant": "value const number fixed setpoint",
+        "dead_band": "deadzone dead_zone deadband",
+        "dead_time": "delay transport_delay transportdelay time_delay transport lag_time",
+        "differentiator": "derivative derivation derive diff d dt1 rate difference",
+        "expression": "formula function fcn math equation",
+        "first_order_lag": "pt1 low_pass lowpass lag lag1 filter first_order smoothing",
+        "fuzzy": "fcl flc rules rule_base fuzzy_controller",
+        "gain": "p proportional factor scale amplifier",
+        "hysteresis_relay": "relay two_point two_point_controller hysteresis bang_bang schmitt_trigger",
+        "integrator": "i integral accumulator",
+        "limiter": "saturation saturate limit clamp clip",
+        "pid_velocity": "pid_incremental velocity_pid",
+        "pid": "pi pd pid_controller",
+        "product": "multiply multiplier mul times",
+        "quantiser": "quantizer",
+        "rate_limiter": "slew slew_rate ramp_limiter rate_limit",
+        "second_order_lag": "pt2 second_order",
+        "sine": "sin sinus oscillator",
+        "step": "step_function jump",
+        "sum": "add adder sub subtract error comparator difference_of summer",
+        "table": "time_table timeseries time_series recorded csv",
+        "characteristic": "lookup lookup_table polyline interpolation curve",
+        "unit_delay": "memory z1 z-1 previous last",
+        "sample_hold": "hold zoh zero_order_hold",
+        "actuator": "valve motor drive",
+        "sensor": "transmitter measurement probe",
+    }.items()
+    for other in others.split()
+}
+"""What else blocks are called elsewhere, and the kind of block that it is here."""
+
 TABLES = {"model_type", "dict_type", "model_attributes_type"}
 
 
@@ -40,7 +74,7 @@ def block_faults(block: Entry, name: str) -> list[Diagnostic]:
     if type_ is None or not isinstance(type_.value, str):
         return []
     if type_.value not in BLOCKS:
-        near = nearest(type_.value, BLOCKS)
+        near = OTHER_NAMES.get(type_.value.casefold()) or nearest(type_.value, BLOCKS)
         hint = f"did you mean `{near}`?" if near else f"there are {listed(sorted(BLOCKS))}"
         return [finding("SCN302", f"there is no kind of block called `{type_.value}`", type_, hint)]
     return shape_faults(model_of(type_.value), block, f"`{name}`")

@@ -8,8 +8,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from fcl_sim.diagnostics import InputFault
+from fcl_sim.loop.blocks import BLOCKS
 from fcl_sim.plant.catalog import shipped_bench
 from fcl_sim.scenario.reader import read
+from fcl_sim.scenario.shape import OTHER_NAMES
 from fcl_sim.testbench import prepare
 
 FOLDER = Path("scenarios/crane")
@@ -113,3 +115,28 @@ def test_no_text_makes_the_reader_stumble(bench, name, data):
         told = str(fault)
     file.write_text(text, "utf-8")
     assert told == "" or "error[" in told
+
+
+@pytest.mark.parametrize(
+    ("other", "name"),
+    [
+        ("derivative", "differentiator"),
+        ("delay", "dead_time"),
+        ("pt1", "first_order_lag"),
+        ("Low_Pass", "first_order_lag"),
+        ("saturation", "limiter"),
+        ("value", "constant"),
+    ],
+)
+def test_a_kind_of_block_by_another_name_is_met_with_ours(written, other, name):
+    assert (
+        f"there is no kind of block called `{other}`\n"
+        f"  2 | type = '{other}'\n"
+        f"    |        {'^' * (len(other) + 2)}\n"
+        f"  hint: did you mean `{name}`?"
+    ) in written(f"[blocks.x]\ntype = '{other}'")
+
+
+def test_every_other_name_leads_to_a_kind_of_block_and_is_none():
+    assert set(OTHER_NAMES.values()) <= set(BLOCKS)
+    assert not set(OTHER_NAMES) & set(BLOCKS)
