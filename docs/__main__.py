@@ -9,6 +9,7 @@ from docs.gallery import images
 from docs.gallery import page as gallery
 from docs.metrics import page as metrics
 from docs.results import page as results
+from docs.units import page as units
 from fcl_sim.diagnostics.page import FAMILIES, frame, page
 from fcl_sim.diagnostics.page_text import families, page_markdown
 
@@ -29,6 +30,7 @@ def pages() -> dict[str, str]:
             "conformance.md": conformance(),
             "metrics.md": metrics(),
             "results.md": results(),
+            "units.md": units(),
             "diagnostics/README.md": _index(),
         }
         | written

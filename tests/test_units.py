@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from docs.units import page as units_page
 from fcl_sim.units import (
     ONE,
     PREFIXED,
@@ -254,3 +255,14 @@ def test_what_a_gain_per_kelvin_makes_of_a_temperature_in_celsius_has_no_tempera
 def test_what_the_clock_cannot_count_is_refused(text: str, message: str) -> None:
     with pytest.raises(UnitError, match=message):
         nanoseconds(parse_quantity(text))
+
+
+def test_the_page_on_units_says_of_each_what_it_is() -> None:
+    rows = [row.strip("| ").split(" | ") for row in units_page().splitlines() if row.startswith("| `")]
+    told = {row[0].strip("`"): row[2].replace("π/", f"{math.pi!r}/") for row in rows if len(row) > 2}
+    assert set(told) == set(SYMBOLS)
+    for symbol, written in told.items():
+        number, _, base = written.partition(" ")
+        numerator, _, denominator = number.partition("/")
+        factor = float(numerator) / float(denominator or 1)
+        assert Quantity(1.0, parse_unit(symbol)).to(base) == pytest.approx(factor, rel=1e-15)
