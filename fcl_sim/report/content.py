@@ -11,12 +11,13 @@ from fcl_sim.judge.wording import relation
 from fcl_sim.loop.wiring import wire
 from fcl_sim.report import activation, baselines, beside, characteristics, pictures, summary
 from fcl_sim.report.archive import Stored
+from fcl_sim.report.constants import block_rows, plant_rows
 from fcl_sim.report.envelopes import envelope_pictures, envelope_rows, envelope_text
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.placed import Register, placed
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
 from fcl_sim.report.rule_bases import rule_base_data, rule_bases
-from fcl_sim.report.setting import differences, milliseconds, parameters, starts
+from fcl_sim.report.setting import differences, milliseconds
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
 from fcl_sim.report.stills import stills_of
 from fcl_sim.report.story import story_data
@@ -126,6 +127,8 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
         "story": paragraphs(scenario.description),
         "facts": facts_of(outcome),
         "requirements": requirement_rows(runs),
+        "plant": plant_rows(outcome.base.diagram.plant),
+        "blocks": block_rows(outcome.base.diagram),
         "sections": _sections(outcome, register),
     }
 
@@ -245,14 +248,11 @@ def run_text(outcome: Outcome, run: Run) -> str:
 
 
 def facts_of(outcome: Outcome) -> list[Data]:
-    """Return how a scenario is set up: plant, parameters, timing, accuracy."""
+    """Return how a scenario is set up: plant, timing, accuracy."""
     diagram = outcome.base.diagram
     plant, timing, integration = diagram.plant, diagram.timing, diagram.integration
     declared = plant.model.declaration
     rows = [fact("Plant", f"{declared.title} ({declared.name})" if declared.title else declared.name)]
-    for label, given in (("Parameters", parameters(plant)), ("Start", starts(plant))):
-        if given:
-            rows.append(fact(label, ", ".join(f"{name} = {value}" for name, value in given.items())))
     times = f"{with_unit(timing.duration / 1e9, 's', 9)}, scan {milliseconds(timing.scan)}"
     if timing.latency:
         times += f", latency {milliseconds(timing.latency)}"

@@ -17,6 +17,7 @@ from fcl_sim.envelope.envelope import Envelope
 from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Band, Corridor, Relative, Requirement, Verdict, worst
 from fcl_sim.report.baseline_json import beside_baseline
+from fcl_sim.report.constants import Constant, Settings, blocks_of, parameters_of, starts_of
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, inputs_of
 from fcl_sim.report.summary import overall
 from fcl_sim.scenario.model import Scenario
@@ -114,7 +115,10 @@ def _run(run: Run) -> Json:
             "model": diagram.plant.model.declaration.name,
             "parameters": _finite(diagram.plant.parameters),
             "start": _finite(diagram.plant.start),
+            "constants": [_constant(each) for each in parameters_of(diagram.plant)],
+            "states": [_constant(each) for each in starts_of(diagram.plant)],
         },
+        "blocks": [_block(each) for each in blocks_of(diagram)],
         "rule_bases": [
             {
                 "block": node.name,
@@ -141,6 +145,41 @@ def _run(run: Run) -> Json:
         "baseline": beside_baseline(run),
         "envelope": None if run.envelope is None else _envelope(run.envelope),
     }
+
+
+def _constant(constant: Constant) -> Json:
+    return {
+        "name": constant.name,
+        "value": _number(constant.value),
+        "unit": constant.unit,
+        "meaning": constant.meaning,
+        "source": constant.source,
+        "declared": _number(constant.declared),
+        "assumed": constant.is_assumed,
+        "minimum": _number(constant.minimum),
+        "maximum": _number(constant.maximum),
+    }
+
+
+def _block(block: Settings) -> Json:
+    return {
+        "name": block.name,
+        "type": block.type,
+        "given": {name: _plain(each) for name, each in block.given.items()},
+        "left": {name: _plain(each) for name, each in block.left.items()},
+        "wired": {**block.wired},
+    }
+
+
+def _plain(value: Any) -> Any:
+    """Return a parameter as JSON has it; a quantity is a text, as it is written."""
+    if isinstance(value, Mapping):
+        return {str(name): _plain(each) for name, each in value.items()}
+    if isinstance(value, tuple | list):
+        return [_plain(each) for each in value]
+    if isinstance(value, bool | int):
+        return value
+    return _number(value) if isinstance(value, float) else str(value)
 
 
 def _envelope(envelope: Envelope) -> Json:

@@ -8,6 +8,7 @@ from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Form, Status
 from fcl_sim.report import (
     schema_baseline,
+    schema_constants,
     schema_coverage,
     schema_documents,
     schema_envelope,
@@ -62,6 +63,7 @@ def json_schema() -> Schema:
             "verdict": _verdict(),
             "corridor": _corridor(),
             "band": _band(),
+            **schema_constants.definitions(),
             **schema_baseline.definitions(),
             **schema_envelope.definitions(_asked()),
             **schema_coverage.definitions(),
@@ -151,6 +153,7 @@ def _run() -> Schema:
         integration=text("scheme of the plant's integration; `exact` of a linear one"),
         rtol=number("relative tolerance of the integration"),
         plant=referring("plant", "the plant"),
+        blocks=list_of("all blocks, with what they are set to", "block"),
         rule_bases=list_of("the fuzzy blocks", "rule_base"),
         samples=whole("number of scans in the trace, the end included"),
         fault=or_null(referring("fault", "what ended the run before its time")),
@@ -167,6 +170,8 @@ def _plant() -> Schema:
         model=text("name of the model"),
         parameters=by_name("parameters that the scenario gives, in the model's units", figure("")),
         start=by_name("states at the start that the scenario gives, in the model's units", figure("")),
+        constants=list_of("every parameter, in the order of the plant's file", "constant"),
+        states=list_of("every start value, and what inputs stay at that nothing drives", "constant"),
     )
 
 

@@ -1,25 +1,13 @@
 """How a run is set up, in words, and what sets it apart from another."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Sequence
 
-from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode
-from fcl_sim.report.words import exactly, joined, one_line, with_unit
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Overruns, PlantNode, Restart
+from fcl_sim.loop.settings import AnyNode
+from fcl_sim.report.constants import Constant, changes, parameters_of, settings_of, source_of, starts_of, told
+from fcl_sim.report.words import exactly, number, one_line, with_unit
 
-
-def parameters(plant: PlantNode) -> dict[str, str]:
-    """Return the parameters that a run gives its plant, each with its unit."""
-    units = {each.name: each.unit for each in plant.model.declaration.parameters}
-    return _told(plant.parameters, units)
-
-
-def starts(plant: PlantNode) -> dict[str, str]:
-    """Return the start values that a run gives its plant, each with its unit."""
-    units = {each.name: each.unit for each in plant.model.declaration.states}
-    return _told(plant.start, units)
-
-
-def _told(values: Mapping[str, float], units: Mapping[str, str]) -> dict[str, str]:
-    return {one_line(name): exactly(value, units.get(name, "")) for name, value in values.items()}
+ARROW = "\N{RIGHTWARDS ARROW}"
 
 
 def milliseconds(ticks: int) -> str:
@@ -28,60 +16,116 @@ def milliseconds(ticks: int) -> str:
 
 
 def differences(base: Diagram, other: Diagram) -> list[str]:
-    """Return what sets a diagram apart from the base: plant, parameters, start, timing, blocks, wires."""
-    found = []
-    if other.plant.model.digest != base.plant.model.digest:
-        found.append(f"the plant is {one_line(other.plant.model.declaration.name)}")
-    found += _changed(parameters(base.plant), parameters(other.plant))
-    found += _changed(starts(base.plant), starts(other.plant), "start ")
-    found += _timing(base, other)
-    if other.integration != base.integration:
-        found.append(f"integrated by {one_line(other.integration.scheme)}")
-    found += _blocks(base, other)
-    if (other.aliases, other.plant.inputs) != (base.aliases, base.plant.inputs):
-        found.append("the controller is wired differently")
-    return found
-
-
-def _changed(base: Mapping[str, str], other: Mapping[str, str], before: str = "") -> list[str]:
-    names = dict.fromkeys((*base, *other))
+    """Return what sets a diagram apart from the base, old and new: plant, start, timing, blocks, wires."""
     return [
-        f"{before}{name} = {other.get(name, 'as declared')}"
-        for name in names
-        if base.get(name) != other.get(name)
+        *_plant(base.plant, other.plant),
+        *_timing(base, other),
+        *_blocks(base, other),
+        *_wires(base, other),
     ]
 
 
-def _timing(base: Diagram, other: Diagram) -> list[str]:
-    found = []
+def _plant(base: PlantNode, other: PlantNode) -> Iterator[str]:
+    names = [each.model.declaration.name for each in (base, other)]
+    if other.model.digest != base.model.digest:
+        same = "the plant's file is another" if names[0] == names[1] else ""
+        yield same or f"the plant {_changed(*names)}"
+    yield from _constants(parameters_of(base), parameters_of(other))
+    yield from (f"start {each}" for each in _constants(starts_of(base), starts_of(other)))
+
+
+def _constants(base: Sequence[Constant], other: Sequence[Constant]) -> Iterator[str]:
+    before, after = ({each.name: exactly(each.value, each.unit) for each in side} for side in (base, other))
+    yield from _named(changes(before, after))
+
+
+def _named(found: Iterable[tuple[str, str, str]]) -> Iterator[str]:
+    for name, old, new in found:
+        yield f"{one_line(name)} {_changed(old, new)}"
+
+
+def _changed(old: str, new: str) -> str:
+    return f"{one_line(old) or 'none'} {ARROW} {one_line(new) or 'none'}"
+
+
+def _timing(base: Diagram, other: Diagram) -> Iterator[str]:
+    before, after = (dict(_times(each)) for each in (base, other))
+    yield from _named(changes(before, after))
+
+
+def _times(diagram: Diagram) -> Iterator[tuple[str, str]]:
+    """Yield what the clock and the integration are set to."""
+    timing, integration = diagram.timing, diagram.integration
     for word in ("scan", "duration", "latency", "jitter"):
-        value = getattr(other.timing, word)
-        if value != getattr(base.timing, word):
-            found.append(f"{word} {milliseconds(value)}")
-    if other.timing.seed != base.timing.seed:
-        found.append(f"seed {other.timing.seed}")
-    if other.timing.measured != base.timing.measured:
-        found.append("measured cycle time" if other.timing.measured else "nominal cycle time")
-    return found
+        yield word, milliseconds(getattr(timing, word))
+    yield "seed", str(timing.seed)
+    yield "cycle time", "measured" if timing.measured else "nominal"
+    yield "overruns", _overruns(timing.overruns)
+    yield "restarts", ", ".join(_restart(each) for each in timing.restarts)
+    if not diagram.exact:
+        yield "integration", integration.scheme
+        yield "relative tolerance", number(integration.rtol)
+        yield "step", with_unit(integration.step, "s", 9)
 
 
-def _blocks(base: Diagram, other: Diagram) -> list[str]:
-    before = {node.name: node for node in base.nodes}
-    after = {node.name: node for node in other.nodes}
-    found = []
-    for words, names in (
-        ("without", [name for name in before if name not in after]),
-        ("with", [name for name in after if name not in before]),
-        ("changed:", [name for name in after if name in before and _unlike(before[name], after[name])]),
+def _overruns(given: Overruns) -> str:
+    parts = [f"scan {scan} takes {milliseconds(each)}" for scan, each in given.listed]
+    if given.chance:
+        parts.append(f"{number(given.chance)} of the scans take up to {milliseconds(given.longest)}")
+    return ", ".join([*parts, f"policy {given.policy}"]) if parts else ""
+
+
+def _restart(given: Restart) -> str:
+    lasts = f" of {with_unit(given.lasts / 1e9, 's', 9)}" if given.lasts else ""
+    return f"{given.kind} at {with_unit(given.at / 1e9, 's', 9)}{lasts}"
+
+
+def _blocks(base: Diagram, other: Diagram) -> Iterator[str]:
+    before, after = ({node.name: node for node in each.nodes} for each in (base, other))
+    for name in before:
+        if name not in after:
+            yield f"without {one_line(name)}"
+    for name, node in after.items():
+        if name in before:
+            yield from (f"{one_line(name)}: {each}" for each in _block(before[name], node))
+        else:
+            yield f"with {one_line(name)} ({_described(node)})"
+
+
+def _described(node: AnyNode) -> str:
+    own = settings_of(node)
+    values = [f"{name} = {told(each)}" for name, each in own.given.items()]
+    return one_line(", ".join([own.type, *values]))
+
+
+def _block(base: AnyNode, other: AnyNode) -> Iterator[str]:
+    """Yield what is unlike in a block of the same name."""
+    before, after = settings_of(base), settings_of(other)
+    if before.type != after.type:
+        yield f"{_changed(before.type, after.type)} ({_described(other)})"
+    else:
+        yield from _named(changes(before.values, after.values))
+    if isinstance(base, FuzzyNode) and isinstance(other, FuzzyNode):
+        yield from _rules(base, other)
+    yield from (
+        f"{one_line(port)} from {_changed(old, new)}" for port, old, new in changes(before.wired, after.wired)
+    )
+
+
+def _rules(base: FuzzyNode, other: FuzzyNode) -> Iterator[str]:
+    """Yield that the rule base is another, by the names of its files where they tell it."""
+    mine, theirs = base.block.function_block, other.block.function_block
+    if mine == theirs:
+        return
+    old, new = (each.span.source.name if each.span else "" for each in (mine, theirs))
+    yield f"rule base {_changed(old, new)}" if old != new else "the rule base is another"
+
+
+def _wires(base: Diagram, other: Diagram) -> Iterator[str]:
+    for owner, before, after in (
+        (f"{other.plant.name}.", base.plant.inputs, other.plant.inputs),
+        ("", base.aliases, other.aliases),
     ):
-        if names:
-            found.append(f"{words} {joined([one_line(name) for name in names])}")
-    return found
-
-
-def _unlike(one: Node | FuzzyNode, other: Node | FuzzyNode) -> bool:
-    if isinstance(one, FuzzyNode) and isinstance(other, FuzzyNode):
-        same_rules = one.block.function_block == other.block.function_block
-        fields = ("inputs", "units", "arithmetic", "scale", "rounding")
-        return not same_rules or any(getattr(one, each) != getattr(other, each) for each in fields)
-    return one != other
+        ends = ({name: source_of(each) for name, each in side.items()} for side in (before, after))
+        for name, old, new in changes(*ends):
+            yield f"{one_line(owner + name)} from {_changed(old, new)}"

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from fcl_sim.report import baselines, beside, summary
+from fcl_sim.report.constants import block_rows, plant_rows
 from fcl_sim.report.content import facts_of, paragraphs, requirement_rows, run_text, run_title
 from fcl_sim.report.coverage_matrix import matrix
 from fcl_sim.report.envelopes import envelope_rows, envelope_text
@@ -181,7 +182,7 @@ def _further(outcome: Outcome, runs: Sequence[Run]) -> Markup:
     """Return what is told below the signals: the set-up, the runs, baselines, an older version, envelopes."""
     told = [(run_title(outcome, run), run_text(outcome, run)) for run in runs]
     return joined(
-        _details("How it is set up", facts(facts_of(outcome))),
+        _details("How it is set up", facts(facts_of(outcome)), _constants(outcome)),
         _details(
             "How the runs differ",
             [element("p", element("b", head), ". ", text) for head, text in told if text],
@@ -189,6 +190,26 @@ def _further(outcome: Outcome, runs: Sequence[Run]) -> Markup:
         _baselines(outcome, runs),
         _older(outcome),
         [_envelope(run) for run in runs],
+    )
+
+
+def _constants(outcome: Outcome) -> Markup:
+    """Return the values of the plant and of the blocks in the base run."""
+    diagram = outcome.base.diagram
+    plant = [
+        [
+            f"{row['name']}{' at the start' if row['kind'] == 'start' else ''}",
+            row["value"],
+            row["meaning"],
+            row["source"],
+            row["limits"],
+        ]
+        for row in plant_rows(diagram.plant)
+    ]
+    blocks = [[row["name"], row["type"], "; ".join(row["given"]), row["left"]] for row in block_rows(diagram)]
+    return joined(
+        table(("Plant", "Value", "What it is", "Where it is from", "Limits"), plant) if plant else None,
+        table(("Block", "Type", "Set to", "As its type has it"), blocks) if blocks else None,
     )
 
 

@@ -1,0 +1,239 @@
+"""Every constant that a run computes with, of its plant and of its blocks, whether it was given or not."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from fcl_sim.judge import wording
+from fcl_sim.loop.blocks.declaration import BlockParameter
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
+from fcl_sim.loop.settings import AnyNode, type_of
+from fcl_sim.report.words import MINUS, exactly, one_line, printed
+from fcl_sim.units import Quantity, parse_unit
+
+ASSUMED = "[A]"
+"""How the source of a parameter begins that nobody has told."""
+
+MOST_ROWS = 12
+"""Entries of a list that are told; of more the first and the last are."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Constant:
+    """A constant of a plant, in its declared unit; `declared` is what it is unless it is `given`.
+
+    `source` says where the declared value comes from, and whether it is assumed. A start value has none.
+    """
+
+    name: str
+    value: float
+    unit: str
+    meaning: str
+    source: str = ""
+    declared: float
+    given: bool
+    minimum: float | None = None
+    maximum: float | None = None
+
+    @property
+    def is_assumed(self) -> bool:
+        """Whether nobody has told the value: it is the declared one, and that is marked [A]."""
+        return self.value == self.declared and self.source.startswith(ASSUMED)
+
+
+def parameters_of(plant: PlantNode) -> list[Constant]:
+    """Return all parameters of a plant, in the order of their declaration."""
+    return [
+        Constant(
+            name=each.name,
+            value=plant.parameters.get(each.name, each.default),
+            unit=each.unit,
+            meaning=each.meaning,
+            source=each.source,
+            declared=each.default,
+            given=each.name in plant.parameters,
+            minimum=each.minimum,
+            maximum=each.maximum,
+        )
+        for each in plant.model.declaration.parameters
+    ]
+
+
+def starts_of(plant: PlantNode) -> list[Constant]:
+    """Return the start values of all states, then those of inputs that nothing drives."""
+    states = [
+        Constant(
+            name=each.name,
+            value=plant.start.get(each.name, each.start),
+            unit=each.unit,
+            meaning=each.meaning,
+            declared=each.start,
+            given=each.name in plant.start,
+        )
+        for each in plant.model.declaration.states
+    ]
+    still = [
+        Constant(
+            name=each.name,
+            value=each.start,
+            unit=each.unit,
+            meaning=each.meaning,
+            declared=each.start,
+            given=False,
+        )
+        for each in plant.model.declaration.inputs
+        if each.name not in plant.inputs
+    ]
+    return [*states, *still]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Settings:
+    """What a block is set to: what is `given`, what is `left` as its type declares, signals that are `wired`.
+
+    Values are as a diagram has them, wires in words.
+    """
+
+    name: str
+    type: str
+    given: Mapping[str, Any]
+    left: Mapping[str, Any] = field(default_factory=dict)
+    wired: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """Every parameter, whether it is given or not."""
+        return {**self.given, **self.left}
+
+
+def blocks_of(diagram: Diagram) -> list[Settings]:
+    """Return what each block of a diagram is set to, in the diagram's order."""
+    return [settings_of(each) for each in diagram.nodes]
+
+
+def settings_of(node: AnyNode) -> Settings:
+    """Return what a block is set to; a parameter that is a signal is among its wires."""
+    if isinstance(node, FuzzyNode):
+        return _fuzzy(node)
+    declared = {each.name: each for each in type_of(node).parameters}
+    left = {
+        name: _default(each)
+        for name, each in declared.items()
+        if name not in node.parameters and name not in node.inputs and not _is_absent(each.default)
+    }
+    return Settings(name=node.name, type=node.type, given=node.parameters, left=left, wired=_wires(node))
+
+
+def _fuzzy(node: FuzzyNode) -> Settings:
+    given: dict[str, Any] = {"function block": node.block.function_block.name, "arithmetic": node.arithmetic}
+    if node.in_int:
+        given |= {"rounding": node.rounding, "scale": node.scale}
+    if node.units:
+        given["units"] = {name: each or "1" for name, each in node.units.items()}
+    return Settings(name=node.name, type="fuzzy", given=given, wired=_wires(node))
+
+
+def _wires(node: Node | FuzzyNode) -> dict[str, str]:
+    return {port: source_of(each) for port, each in node.inputs.items()}
+
+
+def source_of(wire: Wire) -> str:
+    """Return what a wire comes from, with its sign."""
+    return f"{MINUS if wire.sign < 0 else ''}{wire.source}"
+
+
+def _default(parameter: BlockParameter) -> Any:
+    """Return a parameter's default, with its unit where that is always the same."""
+    if isinstance(parameter.default, float) and isinstance(parameter.unit, str):
+        return Quantity(parameter.default, parse_unit(parameter.unit))
+    return parameter.default
+
+
+def _is_absent(default: Any) -> bool:
+    """Return whether a default stands for a bound that there is not, or for nothing."""
+    return default in {None, "", float("inf"), float("-inf")}
+
+
+def told(value: Any) -> str:
+    """Return a value of a block's parameter for a reader; of a long list its ends and how long it is."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Quantity):
+        return exactly(value.value, value.unit.symbol)
+    if isinstance(value, int | float):
+        return printed(wording.exactly(float(value), ""))
+    if isinstance(value, tuple | list):
+        shown = [told(each) for each in value]
+        if len(shown) > MOST_ROWS:
+            shown = [*shown[:2], f"… {len(shown) - 3} more …", shown[-1]]
+        return f"[{', '.join(shown)}]"
+    if isinstance(value, Mapping):
+        return ", ".join(f"{one_line(str(name))}: {told(each)}" for name, each in value.items())
+    return one_line(str(value))
+
+
+def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
+    """Yield what is unlike: its name, old and new value, empty where there is none; of lists by place."""
+    for name in dict.fromkeys((*before, *after)):
+        old, new = before.get(name), after.get(name)
+        if old == new:
+            continue
+        lists = isinstance(old, tuple) and isinstance(new, tuple) and len(old) == len(new)
+        if lists and name in before and name in after:
+            for place, (one, other) in enumerate(zip(old, new, strict=True), start=1):
+                if one != other:
+                    yield f"{name}[{place}]", told(one), told(other)
+            continue
+        yield name, told(old) if name in before else "", told(new) if name in after else ""
+
+
+def plant_rows(plant: PlantNode) -> list[dict[str, Any]]:
+    """Return the parameters of a plant, then its start values, as rows of a table."""
+    return [
+        *(_row(each, "parameter") for each in parameters_of(plant)),
+        *(_row(each, "start") for each in starts_of(plant)),
+    ]
+
+
+def _row(constant: Constant, kind: str) -> dict[str, Any]:
+    return {
+        "kind": kind,
+        "name": one_line(constant.name),
+        "value": exactly(constant.value, constant.unit),
+        "meaning": one_line(constant.meaning),
+        "source": _origin(constant),
+        "assumed": constant.is_assumed,
+        "limits": _limits(constant),
+    }
+
+
+def _origin(constant: Constant) -> str:
+    """Return where a value comes from: the scenario, or what the plant's file says."""
+    source = one_line(constant.source)
+    if constant.value == constant.declared:
+        return source
+    kept = exactly(constant.declared, constant.unit)
+    return f"set by the scenario; by itself {kept}{f', {source}' if source else ''}"
+
+
+def _limits(constant: Constant) -> str:
+    low, high = constant.minimum, constant.maximum
+    if low is not None and high is not None:
+        return f"{exactly(low, '')} to {exactly(high, '')}"
+    if low is not None:
+        return f"at least {exactly(low, '')}"
+    return "" if high is None else f"at most {exactly(high, '')}"
+
+
+def block_rows(diagram: Diagram) -> list[dict[str, Any]]:
+    """Return the blocks that are set to anything, as rows of a table."""
+    return [
+        {
+            "name": one_line(each.name),
+            "type": each.type,
+            "given": [f"{one_line(name)} = {told(value)}" for name, value in each.given.items()],
+            "left": ", ".join(f"{name} = {told(value)}" for name, value in each.left.items()),
+        }
+        for each in blocks_of(diagram)
+        if each.values
+    ]
