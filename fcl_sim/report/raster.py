@@ -16,6 +16,8 @@ SHADES = 255
 """Colours of a map; one index is kept for the paper."""
 NONE = SHADES
 
+FLAT = 1e-9
+"""What lies this near to a level, as a part of the values, lies on it: a plateau is no finer computed."""
 
 Stops = tuple[str, ...]
 """Colours of a scale at even distances, from its foot to its top."""
@@ -51,10 +53,21 @@ def scale(size: tuple[int, int], stops: Stops = style.HEAT) -> bytes:
 def contours(x: Values, y: Values, values: Values, levels: Sequence[float]) -> list[Values]:
     """Return the lines (k, 2) on which values (m, n) at `x` (n,) and `y` (m,) have one of the levels.
 
-    There are none through places that are not finite.
+    There are none through places that are not finite, and none at the least and
+    the largest value: a plateau at a level has a line where the surface rises from it.
     """
-    made = contour_generator(x, y, np.ma.masked_invalid(values), name="serial")
-    return [np.asarray(line, dtype=np.float64) for level in levels for line in made.lines(level)]
+    finite = values[np.isfinite(values)]
+    if not len(finite):
+        return []
+    low, high = float(finite.min()), float(finite.max())
+    flat = FLAT * max(high - low, abs(low), abs(high))
+    lines: list[Values] = []
+    for level in levels:
+        if low + flat < level < high - flat:
+            even = np.where(np.abs(values - level) <= flat, level, values)
+            made = contour_generator(x, y, np.ma.masked_invalid(even), name="serial")
+            lines += [np.asarray(line, dtype=np.float64) for line in made.lines(level)]
+    return lines
 
 
 def shade(part: float) -> str:

@@ -124,7 +124,11 @@ def _limits(values: Values, track: Track | None) -> tuple[float, float]:
 def _range(surfaces: Sequence[Surface]) -> tuple[float, float]:
     defined = np.concatenate([each.values[~each.undefined & np.isfinite(each.values)] for each in surfaces])
     low, high = (float(defined.min()), float(defined.max())) if len(defined) else (0.0, 1.0)
-    return low, high if high > low else low + 1.0
+    if not low < high:
+        return low, low + 1.0
+    around_zero = raster.FLAT * (high - low)
+    low, high = (0.0 if abs(end) <= around_zero else end for end in (low, high))
+    return low, high
 
 
 def _draw_map(axes: Axes, surface: Surface, scale: tuple[float, float], levels: Sequence[float]) -> None:

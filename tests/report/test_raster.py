@@ -69,3 +69,17 @@ def test_a_line_of_equal_height_lies_where_the_plane_has_it(level):
 def test_there_is_no_line_through_what_is_no_number():
     values = np.array([[0.0, np.nan, 0.0], [1.0, np.nan, 1.0]])
     assert raster.contours(np.arange(3.0), np.arange(2.0), values, [0.5]) == []
+
+
+@pytest.mark.parametrize("plateau", [-1.0, 0.0, 1.0])
+def test_rounding_on_a_plateau_draws_no_lines_on_it(plateau):
+    x, y = np.linspace(-2.0, 2.0, 41), np.linspace(0.0, 1.0, 21)
+    noise = np.random.default_rng(1).uniform(-1e-15, 1e-15, (21, 41))
+    ramp = np.clip(np.broadcast_to(x, (21, 41)), -1.0, 1.0)
+    values = np.where(np.abs(x) < 0.5, 0.0, ramp) + noise
+    inside = {-1.0: x < -1.0, 0.0: np.abs(x) < 0.5, 1.0: x > 1.0}[plateau]
+    lines = raster.contours(x, y, values, [-1.0, -0.75, 0.0, 0.75, 1.0])
+    assert len(lines) == 3
+    for line in lines:
+        assert np.ptp(line[:, 0]) == pytest.approx(0.0, abs=1e-9)
+        assert not np.interp(line[:, 0], x, inside.astype(float)).any() or plateau == 0.0
