@@ -13,7 +13,9 @@ from fcl_sim import testbench
 from fcl_sim.cli.benches import PACKAGE, scenario_files
 from fcl_sim.cli.progress import progress
 from fcl_sim.diagnostics import Diagnostic, InputFault
-from fcl_sim.report import baselines
+from fcl_sim.judge.envelope import EnvelopeVerdict
+from fcl_sim.judge.verdict import Status
+from fcl_sim.report import baselines, summary
 from fcl_sim.report.words import counted
 from fcl_sim.scenario import baseline_file
 from fcl_sim.scenario.binder import setup_called
@@ -79,6 +81,8 @@ def update(*, paths: tuple[Path, ...], reason: str, variants: tuple[str, ...], d
         baseline_file.write(made.after, made.path)
         for line in _told(outcome, made):
             click.echo(line)
+    for line in _open(updates):
+        click.echo(line)
     click.echo(f"{counted(len(updates), 'baseline')} written.")
 
 
@@ -120,6 +124,21 @@ def _each(files: Sequence[Path], variants: Sequence[str], of: Callable[[Scenario
     if faults:
         raise InputFault(faults)
     return made
+
+
+def _open(updates: Sequence[tuple[Outcome, Update]]) -> Iterator[str]:
+    """Yield what is accepted though it is not green: of each verdict which requirements of which runs."""
+    found: dict[Status, list[str]] = {}
+    for outcome, made in updates:
+        run = outcome.variants[made.after.variant]
+        for verdict in summary.verdicts_of(run):
+            if verdict.status is not Status.PASS:
+                where = f"{verdict.requirement.id} in {outcome.scenario.name} {run.variant}"
+                over = " over its envelope" if isinstance(verdict, EnvelopeVerdict) else ""
+                found.setdefault(verdict.status, []).append(where + over)
+    for status in Status:
+        if status in found:
+            yield f"accepts {len(found[status])} {status}: {', '.join(found[status])}"
 
 
 def _told(outcome: Outcome, made: Update) -> Iterator[str]:

@@ -93,6 +93,8 @@ def _in_unit(reference: MetricReference, unit: str) -> tuple[Figure | None, floa
     if old.value is None:
         return old, 0.0
     mine, theirs = parse_unit(unit), parse_unit(reference.unit)
+    if unit != reference.unit and mine.same_as(theirs.difference):
+        theirs = mine  # a margin that was kept in degC
     if not mine.commensurate(theirs):
         return None, 0.0
     return Figure(Quantity(old.value, theirs).to(mine)), Quantity(reference.allowed, theirs).to(mine)

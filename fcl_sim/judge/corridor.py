@@ -58,7 +58,7 @@ def consider(trace: Trace, corridor: Corridor) -> Finding:
     margin, at = _least(seen)
     if not np.isfinite(margin):
         return Finding(status=Status.UNTESTED, reason="the corridor has no edge at any scan")
-    nearest = wording.number(margin, trace.units[corridor.signal], 0.0)
+    nearest = wording.number(margin, wording.apart(trace.units[corridor.signal]), 0.0)
     reason = f"{corridor.signal} stays in its corridor, {nearest} from its edge at {at}"
     return Finding(status=Status.PASS, reason=reason, value=margin)
 
@@ -83,7 +83,7 @@ def _left(trace: Trace, corridor: Corridor, seen: Seen) -> Finding:
     last = first + (len(rest) if rest.all() else int(np.argmin(rest))) - 1
     violation = int(seen.ticks[first]) / 1e9, int(seen.ticks[last]) / 1e9
     margin, at = _least(seen)
-    beyond = wording.number(-margin, trace.units[corridor.signal], 0.0)
+    beyond = wording.number(-margin, wording.apart(trace.units[corridor.signal]), 0.0)
     start, stop = (wording.seconds(each) for each in violation)
     when = f"at {start}" if start == stop else f"from {start} to {stop}"
     reason = f"{corridor.signal} leaves its corridor, by {beyond} at {at}, first violated {when}"

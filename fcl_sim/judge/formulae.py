@@ -43,7 +43,7 @@ def _margin(trace: Trace, found: Judgement) -> str:
     if found.robustness is None or found.decided_by is None:
         return ""
     comparison, scan = found.decided_by
-    margin = wording.number(found.robustness, comparison.unit, 0.0)
+    margin = wording.number(found.robustness, wording.apart(comparison.unit), 0.0)
     return f", by a margin of {margin}, that of `{written(comparison)}` at {_at(trace, scan)}"
 
 

@@ -47,10 +47,14 @@ def seconds(time: float) -> str:
     return exactly(time, "s")
 
 
+def apart(unit: str) -> str:
+    """Return the unit of a difference of two values in `unit`: K of degC."""
+    return parse_unit(unit).difference.symbol
+
+
 def definition(metric: Metric, requirement: Requirement, signal_unit: str) -> str:
     """Return the metric in words, with the arguments that this requirement gives or leaves."""
-    apart = parse_unit(signal_unit).difference.symbol
-    units = {Kind.SIGNAL: signal_unit, Kind.DIFFERENCE: apart, Kind.TIME: "s", Kind.NUMBER: ""}
+    units = {Kind.SIGNAL: signal_unit, Kind.DIFFERENCE: apart(signal_unit), Kind.TIME: "s", Kind.NUMBER: ""}
     given = []
     for each in (*metric.arguments, *WINDOW):
         default = each.default if each in metric.arguments else None

@@ -82,9 +82,11 @@ def value(verdict: Verdict) -> str:
 
 
 def figure(asked: Requirement, measured: float) -> str:
-    """Return a figure of a requirement, to as many digits as tell it from its bound."""
+    """Return a figure of a requirement, to as many digits as tell it from its bound; a margin says so."""
     limits = [each for each in (asked.minimum, asked.maximum) if each is not None]
     near = min(limits, key=lambda each: abs(each - measured), default=None)
+    if asked.formula is not None or asked.corridor is not None:
+        return f"margin {_joined(printed(wording.number(measured, near=0.0)), asked.unit)}"
     return _joined(printed(wording.number(measured, near=near)), asked.unit)
 
 

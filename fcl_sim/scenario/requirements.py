@@ -272,7 +272,7 @@ def _of_corridor(
         id=text.id,
         text=text.text,
         corridor=limits,
-        unit=units[limits.signal],
+        unit=parse_unit(units[limits.signal]).difference.symbol,
         expect_fail=variant in text.expect,
         span=text.span,
         asked=text.asked,

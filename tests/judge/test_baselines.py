@@ -187,6 +187,13 @@ def changed(verdicts, *metrics):
     return compare(trace_of(np.zeros(1)), verdicts, baseline(metrics=metrics)).metrics
 
 
+def test_a_margin_that_was_kept_in_degrees_celsius_is_the_same_in_kelvin():
+    kept = replace(figure(8.0, absolute=0.5), unit="degC")
+    for value, status in ((8.4, Status.PASS), (8.9, Status.FAIL)):
+        (change,) = changed((verdict(value, unit="K"),), kept)
+        assert (change.status, change.old.value, change.unit) == (status, 8.0, "K")
+
+
 @given(st.floats(-1e6, 1e6), st.sampled_from([0.0, 0.5]), st.sampled_from([0.0, 0.1]), st.floats(-1.0, 1.0))
 def test_a_figure_may_change_by_its_tolerances_and_no_more(old, absolute, relative, part):
     kept = float(f"{old:.{DIGITS}g}")

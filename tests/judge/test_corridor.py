@@ -78,3 +78,10 @@ def test_a_trace_that_ends_in_the_corridor_is_inconclusive_unless_it_has_left_it
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_nan_never_passes_a_corridor(bad):
     assert verdict(trace(0, bad, 0, 0, 0), *FUNNEL).status is Status.FAULT
+
+
+def test_how_far_a_temperature_is_from_its_edge_is_told_in_kelvin():
+    warm = Trace(np.arange(2) * SECOND, ("y",), {"y": "degC"}, np.array([[20.0], [28.0]]))
+    told = [verdict(warm, (0, SECOND), (10.0, 10.0), (high, high)).reason for high in (30.0, 27.0)]
+    assert told[0] == "y stays in its corridor, 2 K from its edge at 1 s."
+    assert told[1] == "y leaves its corridor, by 1 K at 1 s, first violated at 1 s."

@@ -5,7 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from fcl_sim.formula.text import plain
 from fcl_sim.judge.judge import judge
+from fcl_sim.judge.temporal.formula import bind, read
 from fcl_sim.judge.temporal.verdict import Truth, consider
 from fcl_sim.judge.verdict import Requirement, Status
 from fcl_sim.loop.trace import Fault, Trace
@@ -210,3 +212,14 @@ def test_a_run_that_broke_off_satisfies_nothing():
 
 def test_a_trace_without_a_scan_tells_nothing():
     assert verdict(sways(), "always crane.sway < 5 deg").status is Status.INCONCLUSIVE
+
+
+def test_a_margin_between_temperatures_is_a_difference_and_that_is_in_kelvin():
+    units = {"x": "degC", "y": "K"}
+    asked = bind(read(plain("always x < 95 degC")), units)
+    assert asked.unit == "K"
+    (found,) = judge(
+        trace([80.0, 86.5], units=units), [Requirement(id="T", text="t", formula=asked, unit="K")]
+    )
+    assert found.reason.startswith("The formula holds, by a margin of 8.5 K, that of `x < 95 degC` at 1 s")
+    assert bind(read(plain("always (x < 95 degC and y < 2 K)")), units).unit is None

@@ -13,6 +13,7 @@ from fcl_sim.judge.temporal.tree import Comparison, Node, parts, signals
 from fcl_sim.judge.temporal.tree import Formula as Tree
 from fcl_sim.judge.temporal.words import BEHIND_NUMBERS, INSTEAD
 from fcl_sim.judge.temporal.write import written
+from fcl_sim.units import parse_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,9 +33,10 @@ class Statement:
 class Formula:
     """A formula in the units of a run.
 
-    `signals` are those it looks at, each once. `unit` is the one unit of all
-    its comparisons, None where they have several: then its robustness is a
-    number of no unit, and only the comparison that decides it is told.
+    `signals` are those it looks at, each once. `unit` is that of a difference in
+    the one unit of all its comparisons, K of degC; None where they have several:
+    then its robustness is a number of no unit, and only the comparison that
+    decides it is told.
     """
 
     statement: Statement
@@ -64,12 +66,12 @@ def bind(statement: Statement, units: Mapping[str, str]) -> Formula:
     tree, faults = resolve(statement.tree, units)
     if faults:
         raise InputFault(faults)
-    found = dict.fromkeys(_units(tree))
+    found = list(dict.fromkeys(_units(tree)))
     return Formula(
         statement,
         tree,
         tuple(dict.fromkeys(signals(tree))),
-        next(iter(found)) if len(found) == 1 else None,
+        parse_unit(found[0]).difference.symbol if len(found) == 1 else None,
     )
 
 
