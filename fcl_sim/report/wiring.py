@@ -1,6 +1,6 @@
 """A wiring as a figure: what is read, the blocks in their order of execution, what is written."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -8,10 +8,13 @@ from fcl_sim.loop.wiring import Wiring
 from fcl_sim.report import style
 from fcl_sim.report.canvas import Axes, Dot, Figure, Line, Shape, Text, rectangle
 from fcl_sim.report.pictures import Picture
-from fcl_sim.report.wiring_layout import GRID, HEAD, PAD, READ, WRITTEN, Box, Drawing, Path, laid_out
+from fcl_sim.report.wiring_layout import GRID, HEAD, PAD, READ, WRITTEN, Box, Drawing, Path, Port, laid_out
 from fcl_sim.report.words import one_line
 
 FILLS = {READ: style.BAND, WRITTEN: style.BAND, "inside": style.PAPER, "beside": style.UNDEFINED}
+
+LATE = (3.0, 2.0)
+"""Dashes of a wire that carries the value of the last scan."""
 
 
 def draw(wiring: Wiring) -> Figure:
@@ -21,7 +24,7 @@ def draw(wiring: Wiring) -> Figure:
     page = figure.page()
     colours = _colours(drawing)
     for signal, height, left, right in drawing.passing:
-        page.add(_stroke([left, right], [height, height], colours[signal]))
+        page.add(_stroke([left, right], [height, height], colours[signal], late=signal in drawing.late))
     for path in drawing.paths:
         _wire(page, path, drawing, colours[path.signal])
     for box in drawing.boxes:
@@ -34,7 +37,8 @@ def picture(wiring: Wiring, title: str) -> Picture:
     caption = (
         f"{one_line(title)}: blocks in the order of their execution, with their signals and units. "
         "The plant stands twice, as it is read and as it is written; what a block reads of the last scan "
-        "is named in it. Blocks outside of the controller are shaded."
+        "comes by a dashed wire, or is named in it where that would run back. "
+        "Blocks outside of the controller are shaded."
     )
     drawing = laid_out(wiring)
     return Picture(
@@ -63,30 +67,33 @@ def _colours(drawing: Drawing) -> dict[str, str]:
     return {signal: style.stroke(number)[0] for number, signal in enumerate(signals)}
 
 
-def _stroke(x: Sequence[float], y: Sequence[float], colour: str) -> Line:
-    return Line(x, y, colour, 0.7)
+def _stroke(x: Sequence[float], y: Sequence[float], colour: str, *, late: bool) -> Line:
+    return Line(x, y, colour, 0.7, LATE if late else ())
 
 
 def _wire(page: Axes, path: Path, drawing: Drawing, colour: str) -> None:
     """Draw a signal in its channel, with an arrow where it enters a box and a dot where it parts."""
-    page.add(_stroke([path.left, path.track], [path.start, path.start], colour))
+    late = path.signal in drawing.late
+    page.add(_stroke([path.left, path.track], [path.start, path.start], colour, late=late))
     heights = (path.start, *path.ends)
-    page.add(_stroke([path.track, path.track], [min(heights), max(heights)], colour))
+    page.add(_stroke([path.track, path.track], [min(heights), max(heights)], colour, late=late))
     for each in path.ends:
-        box = next((box for box in drawing.boxes if _enters(box, path, each)), None)
+        box, port = next(_entered(drawing, path, each), (None, None))
         right = box.left if box is not None else path.right
-        page.add(_stroke([path.track, right], [each, each], colour))
+        of_last = port.late if port is not None else late
+        page.add(_stroke([path.track, right], [each, each], colour, late=of_last))
         if box is not None:
             page.add(Shape([right, right - 1.5, right - 1.5], [each, each - 0.55, each + 0.55], colour))
         if min(heights) < each < max(heights):
             page.add(Dot(path.track, each, "circle", colour, 2.8))
 
 
-def _enters(box: Box, path: Path, height: float) -> bool:
-    return any(
-        port.signal == path.signal and box.entry(index) == height and box.left >= path.right
-        for index, port in enumerate(box.entries)
-    )
+def _entered(drawing: Drawing, path: Path, height: float) -> Iterator[tuple[Box, Port]]:
+    """Yield the box that a signal enters at a height, and its port there."""
+    for box in drawing.boxes:
+        for index, port in enumerate(box.entries):
+            if port.signal == path.signal and box.entry(index) == height and box.left >= path.right:
+                yield box, port
 
 
 def _box(page: Axes, box: Box) -> None:

@@ -7,7 +7,7 @@ enters it and what passes it keep different places on a grid, so that no two
 signals ever share a line. All lengths are in mm.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import floor
 
@@ -29,10 +29,14 @@ READ, WRITTEN = "read", "written"
 
 @dataclass(frozen=True, slots=True)
 class Port:
-    """A place where a signal enters or leaves a box; `signal` is empty where no wire is drawn."""
+    """A place where a signal enters or leaves a box; `signal` is empty where no wire is drawn.
+
+    `late` says that what enters is of the last scan.
+    """
 
     text: str
     signal: str = ""
+    late: bool = False
 
 
 @dataclass(slots=True, kw_only=True)
@@ -97,6 +101,13 @@ class Drawing:
     width: float
     height: float
 
+    @property
+    def late(self) -> frozenset[str]:
+        """The signals that are read of the last scan alone."""
+        entries = [port for box in self.boxes for port in box.entries if port.signal]
+        prompt = {port.signal for port in entries if not port.late}
+        return frozenset(port.signal for port in entries) - prompt
+
 
 def laid_out(wiring: Wiring) -> Drawing:
     """Return where everything stands."""
@@ -137,19 +148,25 @@ def _boxes(wiring: Wiring) -> list[Box]:
         sources = [wiring.resolve(each).source for each in prompt]
         column = 1 + max((columns[each] for each in sources), default=0)
         columns |= dict.fromkeys(signals_of(node), column)
-        boxes.append(_block(wiring, number, node, column, prompt))
-    taken = [_entry(wiring, port, each, late=False) for port, each in plant.inputs.items()]
+        before = {signal for signal, other in columns.items() if other < column}
+        boxes.append(_block(wiring, number, node, column, prompt, before))
+    taken = [_entry(wiring, port, each) for port, each in plant.inputs.items()]
     told = f"written {written / 1e6:g} ms later" if written else "written"
     last = 1 + max(each.column for each in boxes)
     return [*boxes, Box(title=plant.name, text=told, kind=WRITTEN, column=last, entries=taken)]
 
 
-def _block(wiring: Wiring, number: int, node: AnyNode, column: int, prompt: Sequence[Wire]) -> Box:
+def _block(
+    wiring: Wiring, number: int, node: AnyNode, column: int, prompt: Sequence[Wire], before: Container[str]
+) -> Box:
+    """Return a block; `prompt` are its wires of this scan, `before` the signals that stand before it."""
     kind = getattr(node, "type", "fuzzy")
     signals = signals_of(node)
     exits = [_exit(wiring, each, each.removeprefix(node.name).removeprefix(".")) for each in signals]
     entries = [
-        _entry(wiring, port, each, late=not any(each is other for other in prompt))
+        _entry(wiring, port, each)
+        if any(each is other for other in prompt)
+        else _late_entry(wiring, port, each, before)
         for port, each in node.inputs.items()
     ]
     place = "inside" if node.name.startswith(wiring.diagram.plc) else "beside"
@@ -162,11 +179,17 @@ def _exit(wiring: Wiring, signal: str, name: str) -> Port:
     return Port(f"{name} [{wiring.units[signal].symbol or '1'}]".strip(), signal)
 
 
-def _entry(wiring: Wiring, port: str, wire: Wire, *, late: bool) -> Port:
-    """Return an entry; a signal of the last scan is named there, and has no wire."""
+def _entry(wiring: Wiring, port: str, wire: Wire) -> Port:
     resolved = wiring.resolve(wire)
-    text = f"{'−' if resolved.sign < 0 else ''}{port}"
-    return Port(f"{text} ← last {resolved.source}") if late else Port(text, resolved.source)
+    return Port(f"{'−' if resolved.sign < 0 else ''}{port}", resolved.source)
+
+
+def _late_entry(wiring: Wiring, port: str, wire: Wire, before: Container[str]) -> Port:
+    """Return an entry for a signal of the last scan, which is named where its wire would run back."""
+    prompt = _entry(wiring, port, wire)
+    if prompt.signal in before:
+        return Port(f"{prompt.text} (last)", prompt.signal, late=True)
+    return Port(f"{prompt.text} ← last {prompt.signal}", late=True)
 
 
 def _source(boxes: Sequence[Box]) -> Mapping[str, Box]:

@@ -33,6 +33,7 @@ def test_a_baseline_lives_from_none_to_accepted_to_left_to_accepted_again(invoke
     first = invoke("baseline", "update", "--reason", "first version", "--date", "2026-01-31")
     assert first.stdout.splitlines()[0] == f"written: {FILE}"
     assert (first.exit_code, run(invoke)[0]) == (0, 0)
+    assert "accepts" not in first.stdout
     edit(bench, FCL, POINT, MOVED)
     code, told = run(invoke)
     assert code == 4
@@ -50,6 +51,13 @@ def test_a_requirement_that_is_missed_goes_before_a_baseline_that_is_left(invoke
     edit(bench, FCL, POINT, MOVED)
     edit(bench, SHORT, 'max = "9 deg"', 'max = "0.001 deg"')
     assert run(invoke)[0] == 1
+
+
+def test_what_is_accepted_though_it_is_missed_is_told(invoke, bench):
+    edit(bench, SHORT, 'max = "9 deg"', 'max = "0.001 deg"')
+    result = invoke("baseline", "update", "--reason", "as it is")
+    assert result.exit_code == 0
+    assert "accepts 1 FAIL: S-1 in crane/short base" in result.stdout.splitlines()
 
 
 def test_overrides_are_another_run_that_is_not_compared(invoke, bench):

@@ -5,10 +5,12 @@ from itertools import combinations
 
 import pytest
 
+from fcl_sim.loop.diagram import Wire
 from fcl_sim.loop.wiring import wire
 from fcl_sim.report import style
+from fcl_sim.report.canvas import Line
 from fcl_sim.report.vector import svg
-from fcl_sim.report.wiring import alt, draw, picture
+from fcl_sim.report.wiring import LATE, alt, draw, picture
 from fcl_sim.report.wiring_layout import HINTED, PAD, READ, WRITTEN, laid_out, text_width
 from tests.loop.block_loops import node
 from tests.loop.diagrams import crane, timing
@@ -37,6 +39,17 @@ def large():
     return wire(replace(loop, nodes=(*nodes, *loop.nodes)))
 
 
+def delayed():
+    """The plant read by a dead time, so that the controller sees it late; its angle is read both ways."""
+    loop = crane(timing=timing())
+    late = [
+        node("measured", "dead_time", {"input": "crane.distance"}, time="3 s"),
+        node("sway", "unit_delay", {"input": "-crane.angle"}, initial="0 deg"),
+    ]
+    rules = replace(loop.nodes[-1], inputs={**loop.nodes[-1].inputs, "distance": Wire("measured")})
+    return wire(replace(loop, nodes=(*late, rules), aliases={}))
+
+
 def lines(drawing):
     """Yield every straight piece of a wire: signal, whether it lies, its height or place, from, to."""
     for signal, height, left, right in drawing.passing:
@@ -55,7 +68,7 @@ def lines(drawing):
             yield path.signal, True, each, path.track, min(entered, default=path.right)
 
 
-@pytest.mark.parametrize("make", [small, large])
+@pytest.mark.parametrize("make", [small, large, delayed])
 def test_no_two_boxes_meet_and_no_wire_runs_through_one(make):
     drawing = laid_out(make())
     for one, other in combinations(drawing.boxes, 2):
@@ -70,7 +83,7 @@ def test_no_two_boxes_meet_and_no_wire_runs_through_one(make):
             assert not through, (signal, box.title)
 
 
-@pytest.mark.parametrize("make", [small, large])
+@pytest.mark.parametrize("make", [small, large, delayed])
 def test_no_two_signals_share_a_line(make):
     pieces = list(lines(laid_out(make())))
     for one, other in combinations(pieces, 2):
@@ -78,7 +91,7 @@ def test_no_two_signals_share_a_line(make):
             assert one[4] <= other[3] or other[4] <= one[3], (one, other)
 
 
-@pytest.mark.parametrize("make", [small, large])
+@pytest.mark.parametrize("make", [small, large, delayed])
 def test_every_block_stands_once_behind_its_sources_and_every_wire_arrives(make):
     wiring = make()
     drawing = laid_out(wiring)
@@ -93,7 +106,7 @@ def test_every_block_stands_once_behind_its_sources_and_every_wire_arrives(make)
                 assert box.entry(index) in ends
 
 
-@pytest.mark.parametrize("make", [small, large])
+@pytest.mark.parametrize("make", [small, large, delayed])
 def test_texts_have_room_in_their_boxes(make):
     drawing = laid_out(make())
     for box in drawing.boxes:
@@ -124,3 +137,17 @@ def test_the_alternative_text_tells_every_block_in_order_with_what_it_reads_and_
     assert "1 controller.speed (differentiator) reads −input of crane.distance and gives [m/s]; 2 con" in told
     assert told.endswith("crane (written 10 ms later) reads power of controller.rules.power.")
     assert picture(small(), "A crane").caption.startswith("A crane: blocks in the order")
+
+
+def test_what_is_read_of_the_last_scan_comes_from_the_plant_by_a_dashed_wire():
+    drawing = laid_out(delayed())
+    ports = [port for box in drawing.boxes for port in box.entries if port.late]
+    assert [(port.text, port.signal) for port in ports] == [
+        ("input (last)", "crane.distance"),
+        ("−input (last)", "crane.angle"),
+    ]
+    assert drawing.late == {"crane.distance"}
+    dashed = [
+        each for each in draw(delayed()).axes[0].marks if isinstance(each, Line) and each.dashes == LATE
+    ]
+    assert len(dashed) == 4
