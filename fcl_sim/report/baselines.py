@@ -76,8 +76,8 @@ def cause_lines(cause: Cause) -> Iterator[str]:
     """Yield why a run left its baseline: what was edited, and the first scan at which it told."""
     for old, new in cause.setting:
         yield f"changed: {_from_to(old, new)}"
-    edited = [f"edited in {one_line(block)}: {edited(edit)}" for block, edit in cause.edits]
-    yield from _some(edited, "edits")
+    edits = [f"edited in {one_line(block)}: {edited(edit)}" for block, edit in cause.edits]
+    yield from _some(edits, "edits")
     if cause.divergence is not None:
         yield from _divergence(cause.divergence)
     if cause.is_whole:
