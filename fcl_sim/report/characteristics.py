@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from fcl_sim.block import Block
 from fcl_sim.loop.trace import FuzzyRecord, Values
-from fcl_sim.report import alt, sampling
+from fcl_sim.report import alt, exits, sampling
 from fcl_sim.report.memberships import Visit, membership_plot, panels
 from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
@@ -103,9 +103,11 @@ def _curve(subject: Subject) -> Picture:
     caption = [f"{one_line(subject.output)} over {one_line(across.name)}."]
     if line.undefined.any():
         caption.append("Hatched: no rule is active.")
+    if track is not None:
+        caption.append(exits.told(track.x, track.y, (across.low, across.high), (-np.inf, np.inf)))
     return Picture(
         name=subject.name,
-        caption=" ".join(caption),
+        caption=" ".join(caption).rstrip(),
         alt=alt.of_curve(line, track),
         draw=partial(curve_plot, line, track),
     )
@@ -126,7 +128,7 @@ def _map(subject: Subject) -> Picture:
     ]
     return Picture(
         name=subject.name,
-        caption=_caption(maps[0], fixed, drawn=track is not None),
+        caption=_caption(maps[0], fixed, track),
         alt=alt.of_surfaces(maps, fixed, track),
         draw=partial(surface_plot, maps, track, in_space=track is None),
     )
@@ -155,19 +157,21 @@ def _finite(seen: Mapping[str, Values], name: str) -> Values:
     return values[np.isfinite(values)]
 
 
-def _caption(surface: Surface, fixed: Mapping[str, float], *, drawn: bool) -> str:
+def _caption(surface: Surface, fixed: Mapping[str, float], track: Track | None) -> str:
     across, up = one_line(surface.across.name), one_line(surface.up.name)
     text = f"{one_line(surface.name)} over {across} and {up}"
     if fixed:
         held = joined([f"{one_line(name)} = {number(at)}" for name, at in fixed.items()])
-        text += f"; {held} held" + (" at the run's median" if drawn else "")
+        text += f"; {held} held" + (" at the run's median" if track is not None else "")
     if surface.undefined.any():
         text += (
             ". Hatched, and left out in space: no rule is active"
-            if not drawn
+            if track is None
             else ". Hatched: no rule is active"
         )
-    return f"{text}."
+    shown = [(float(edges[0]), float(edges[-1])) for edges in (surface.x, surface.y)]
+    left = "" if track is None else exits.told(track.x, track.y, shown[0], shown[1])
+    return f"{text}. {left}".rstrip()
 
 
 def memberships(

@@ -18,12 +18,12 @@ FULL = 8
 LINES = 100
 """So many rules have lines; of more, those of the largest degrees."""
 
-CONDITIONS = 104.0
+CONDITIONS = 103.0
 """Width of the subconditions in mm; behind them the bar of the rule's degree, then the conclusions."""
 MOST_COLUMNS = 4
 BESIDE = 4.0
 BAR = 3.2
-BAR_AT = CONDITIONS + EDGE + 4.0
+BAR_AT = CONDITIONS + EDGE + 6.2
 THEN_AT = 119.0
 THEN = style.WIDTH - THEN_AT - EDGE
 HIGH = 10.5

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from fcl_sim.loop.trace import Values
 from fcl_sim.report import lettering, raster, style
 from fcl_sim.report.canvas import Axes, Dot, Figure, Image, Line, Shape, Text, joined, span
+from fcl_sim.report.exits import draw_exits
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.relief import Relief, draw_relief
 from fcl_sim.report.sampling import Curve, Surface, Track
@@ -46,8 +47,9 @@ def surface_plot(
     """Return one or two heat maps of an output over two inputs, side by side on one scale.
 
     Where no rule is active the map is hatched; `track` is drawn over it from an
-    open circle to a filled square, the darker the later. With `in_space` the first
-    surface stands beside them, seen from above and the side, and has holes there.
+    open circle to a filled square, the darker the later, an arrow head where it leaves
+    the map. With `in_space` the first surface stands beside them, seen from above and
+    the side, and has holes there.
     """
     panels = len(surfaces) + in_space
     first, (least, most) = surfaces[0], _range(surfaces)
@@ -198,6 +200,7 @@ def _draw_track(axes: Axes, track: Track) -> None:
         lost = slice(max(start - 1, 0), end + 1)
         axes.add(Line(x[lost], y[lost], style.VIOLATION_EDGE, 1.0, halo=HALO, z=5.1, label="track"))
     _draw_times(axes, track)
+    draw_exits(axes, x, y)
     first, last = (float(x[0]), float(y[0])), (float(x[-1]), float(y[-1]))
     if left <= first[0] <= right and low <= first[1] <= high:
         axes.add(Dot(*first, "circle", style.INK, 6.2, style.PAPER, z=6))

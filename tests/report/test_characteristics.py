@@ -11,6 +11,7 @@ from fcl_sim.block import loads
 from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.report.canvas import Line, Shape
 from fcl_sim.report.characteristics import characteristic, over_inputs
+from fcl_sim.report.exits import told
 from fcl_sim.report.sampling import Track, closer, curve, domains, following, surface
 from fcl_sim.report.style import VIOLATION_EDGE
 from fcl_sim.report.surface import thinned_path
@@ -200,3 +201,43 @@ def test_long_names_wrap(tmp_path):
         figure = picture.draw()
         assert cut(figure) == []
         assert clashes(figure) == []
+
+
+def far_run(block):
+    """A run that goes out of the map to the right, comes back, and goes out at its upper edge."""
+    return record(
+        block, distance=np.array([5.0, 400.0, 5.0, 5.0, 5.0]), angle=np.array([0.0, 0.0, 0.0, 900.0, 0.0])
+    )
+
+
+def test_where_a_run_leaves_the_map_an_arrow_head_stands_at_the_edge():
+    (found,) = characteristic(crane(), UNITS, "far", far_run(crane()), np.arange(5.0))
+    assert found.caption.endswith("The run leaves the picture where an arrow head stands at its edge.")
+    axes = found.draw().axes[0]
+    right, top = axes.of(Shape, "exit")
+    assert (right.x[0], right.y[0]) == (pytest.approx(axes.x[1]), pytest.approx(0.0))
+    assert (top.x[0], top.y[0]) == (pytest.approx(5.0), pytest.approx(axes.y[1]))
+    for head in (right, top):
+        assert axes.x[0] <= min(head.x) <= max(head.x) <= axes.x[1] * (1 + 1e-12)
+        assert axes.y[0] <= min(head.y) <= max(head.y) <= axes.y[1] * (1 + 1e-12)
+
+
+def test_of_a_run_that_stays_on_the_map_nothing_is_said():
+    stays = record(crane(), distance=np.array([5.0, 10.0]), angle=np.array([0.0, 1.0]))
+    (found,) = characteristic(crane(), UNITS, "near", stays, np.arange(2.0))
+    assert "leaves" not in found.caption
+    assert not found.draw().axes[0].of(Shape, "exit")
+
+
+@pytest.mark.parametrize(
+    ("x", "sentence"),
+    [
+        ([0.5, 0.6], ""),
+        ([0.5, 2.0], "The run leaves the picture where an arrow head stands at its edge."),
+        ([2.0, 0.5], "The run begins outside of the picture."),
+        ([2.0, 3.0, np.nan], "The run is outside of the picture all the time."),
+    ],
+)
+def test_it_is_told_how_a_run_is_outside(x, sentence):
+    values = np.array(x)
+    assert told(values, np.zeros(len(x)), (0.0, 1.0), (0.0, 1.0)) == sentence

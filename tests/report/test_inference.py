@@ -1,6 +1,7 @@
 """The figure of an inference: it shows the numbers of the explanation, and can be read."""
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -334,6 +335,14 @@ def test_an_explanation_is_drawn_of_a_block_that_remembers():
     explanation: Explanation = instance.explain(service=20.0, food=5.0)
     (axes,) = axes_of(draw(tip().function_block, explanation), "output tip")
     assert lines(axes, "result")[0].x == [instance.tip] * 2
+
+
+def test_the_degree_of_a_rule_keeps_clear_of_the_degree_beside_it():
+    figure, _ = drawn(crane(), distance=21.98, angle=-2.6530001)
+    numbers = [each for each in texts(figure) if each[0].replace(".", "").isdigit()]
+    for (one, a), (other, b) in combinations(numbers, 2):
+        if min(a[3], b[3]) > max(a[1], b[1]):
+            assert max(a[0], b[0]) - min(a[2], b[2]) > 0.8, (one, other)
 
 
 def test_a_heading_does_not_end_a_page():
