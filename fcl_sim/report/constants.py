@@ -178,8 +178,7 @@ def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[tup
         old, new = before.get(name), after.get(name)
         if old == new:
             continue
-        lists = isinstance(old, tuple) and isinstance(new, tuple) and len(old) == len(new)
-        if lists and name in before and name in after:
+        if isinstance(old, tuple) and isinstance(new, tuple) and len(old) == len(new):
             for place, (one, other) in enumerate(zip(old, new, strict=True), start=1):
                 if one != other:
                     yield f"{name}[{place}]", told(one), told(other)
