@@ -24,12 +24,13 @@ def _constant() -> Schema:
 
 
 def _block() -> Schema:
+    anything: Schema = {"type": ["string", "number", "boolean", "array", "object", "null"]}
     described = "numbers with units are texts, as in a scenario"
     return table(
         "A block of the loop",
         name=text("path of the block"),
         type=text("its type"),
-        given=by_name(f"what the scenario sets it to; {described}", {}),
-        left=by_name("what else it is set to, by its type; bounds that there are not are left out", {}),
+        given=by_name(f"what the scenario sets it to; {described}", anything),
+        left=by_name("what else it is set to, by its type; bounds that there are not are left out", anything),
         wired=by_name("the signals that it reads, by port", {"type": "string"}),
     )
