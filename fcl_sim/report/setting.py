@@ -1,10 +1,20 @@
 """How a run is set up, in words, and what sets it apart from another."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Overruns, PlantNode, Restart
 from fcl_sim.loop.settings import AnyNode
-from fcl_sim.report.constants import Constant, changes, parameters_of, settings_of, source_of, starts_of, told
+from fcl_sim.report.constants import (
+    Constant,
+    Settings,
+    changes,
+    parameters_of,
+    settings_of,
+    source_of,
+    starts_of,
+    told,
+)
 from fcl_sim.report.words import exactly, number, one_line, with_unit
 
 ARROW = "\N{RIGHTWARDS ARROW}"
@@ -104,12 +114,31 @@ def _block(base: AnyNode, other: AnyNode) -> Iterator[str]:
     if before.type != after.type:
         yield f"{_changed(before.type, after.type)} ({_described(other)})"
     else:
-        yield from _named(changes(before.values, after.values))
+        yield from _named(changes(*_values(before, after)))
     if isinstance(base, FuzzyNode) and isinstance(other, FuzzyNode):
         yield from _rules(base, other)
-    yield from (
-        f"{one_line(port)} from {_changed(old, new)}" for port, old, new in changes(before.wired, after.wired)
-    )
+    for port, old, new in changes(before.wired, after.wired):
+        if port not in _swapped(before, after):
+            yield f"{one_line(port)} from {_changed(old, new)}"
+
+
+def _swapped(before: Settings, after: Settings) -> set[str]:
+    """Return the parameters that are a value on one side and a signal on the other."""
+    return {
+        name
+        for one, two in ((before, after), (after, before))
+        for name in one.wired
+        if name in two.values and name not in one.values
+    }
+
+
+def _values(before: Settings, after: Settings) -> list[dict[str, Any]]:
+    """Return the parameters of both sides; of one that is a signal, its name."""
+    swapped = _swapped(before, after)
+    return [
+        {**{name: f"from {each.wired[name]}" for name in each.wired if name in swapped}, **each.values}
+        for each in (before, after)
+    ]
 
 
 def _rules(base: FuzzyNode, other: FuzzyNode) -> Iterator[str]:

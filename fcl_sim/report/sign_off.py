@@ -7,6 +7,7 @@ from typing import Any
 from fcl_sim.model import FunctionBlock
 from fcl_sim.plant.catalog import PlantModel
 from fcl_sim.plant.declaration import Parameter
+from fcl_sim.report.constants import ASSUMED
 from fcl_sim.report.proved import Proved
 from fcl_sim.report.provenance import Origin, fuzzy_nodes, inputs_of
 from fcl_sim.report.results import versions
@@ -25,9 +26,6 @@ FORMATS = {
     "INT": "INT, 16 bits, degrees 0 to 10000",
 }
 """Arithmetics of fuzzy blocks, in words."""
-
-ASSUMED = "[A]"
-"""How the source of a parameter begins that nobody has told."""
 
 SIGNERS = ("Author", "Checker", "Approver")
 

@@ -148,6 +148,11 @@ def test_what_is_signed_is_told(text):
         assert bare(told) in text
 
 
+def test_the_values_of_plant_and_blocks_are_told(text):
+    for each in ("Values of the base run", "load_mass", "position at the start", "arithmetic = LREAL"):
+        assert bare(each) in text
+
+
 def test_what_the_check_finds_stands_with_the_rule_base(text):
     assert bare("warning FCL608 6 no rule asks for `too_far` of `distance`") in text
 

@@ -107,3 +107,10 @@ def test_another_wire_arithmetic_and_rule_base_are_told(base):
 def test_another_integration_is_told(base):
     other = replace(base, integration=Integration(scheme="runge_kutta"))
     assert differences(base, other) == ["integration dormand_prince → runge_kutta"]
+
+
+def test_a_parameter_that_was_a_signal_is_told_once(base):
+    wires = {"input": Wire("crane.distance"), "time": Wire("age")}
+    varying = Node(name="measured", type="dead_time", inputs=wires)
+    first = replace(base, nodes=(varying,))
+    assert told(first, replace(base, nodes=(dead_time(3.0),))) == ["measured: time from age → 3 s"]
