@@ -47,7 +47,7 @@ def test_a_plant_with_a_missing_derivative_is_named_with_its_line(start, bench):
     (bench / "plants" / "crane.py").write_text(text.replace(line + "\n", ""))
     told = message(start("run", cwd=bench))
     assert told.startswith("plants/crane.py:") or str(bench / "plants" / "crane.py") in told
-    assert "leaves dx[2] (`angle`) unset or NaN" in told
+    assert "`dynamics` leaves dx[2] (`angle`) unset" in told
 
 
 def test_a_typo_in_a_scenario_is_shown_at_its_place(start, bench):
