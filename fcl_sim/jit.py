@@ -117,6 +117,47 @@ clear_eight: Callable[[Any, Any], None] = (
 )
 """In a kernel: set eight numbers of a buffer to 0, from an unsigned index on, by two stores of four."""
 
+
+def _two_ramps(typing: Any, x: Any, buffer: Any, at: Any) -> Any:  # noqa: ARG001
+    """Type and generate `two_ramps`."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        kind = signature.args[1]
+        one = context.get_value_type(kind.dtype)
+        two = llvm.VectorType(one, 2)
+        data = cgutils.create_struct_proxy(kind)(context, builder, value=arguments[1]).data
+
+        def pair(number: int) -> Any:
+            first = builder.bitcast(builder.gep(data, [arguments[2]]), two.as_pointer())
+            return builder.load(builder.gep(first, [llvm.Constant(llvm.IntType(64), number)]), align=4)
+
+        both = llvm.Constant(two, llvm.Undefined)
+        for lane in range(2):
+            both = builder.insert_element(both, arguments[0], llvm.Constant(llvm.IntType(32), lane))
+        risen = builder.fadd(pair(1), builder.fdiv(builder.fsub(both, pair(0)), pair(2)))
+        top = llvm.Constant(two, [llvm.Constant(one, 1.0)] * 2)
+        result = builder.select(builder.fcmp_ordered("<", top, risen), top, risen)
+        lanes = [builder.extract_element(result, llvm.Constant(llvm.IntType(32), lane)) for lane in range(2)]
+        return context.make_tuple(builder, signature.return_type, lanes)
+
+    return types.containers.UniTuple(buffer.dtype, 2)(x, buffer, types.uint64), generate
+
+
+def _two_ramps_uncompiled(x: Any, buffer: Any, at: int) -> tuple[Any, Any]:
+    first, second = (
+        buffer[at + 2 + lane] + (x - buffer[at + lane]) / buffer[at + 4 + lane] for lane in (0, 1)
+    )
+    return (1.0 if first > 1.0 else first), (1.0 if second > 1.0 else second)  # noqa: FURB136  NaN stays
+
+
+two_ramps: Callable[[Any, Any, Any], tuple[Any, Any]] = (
+    extending.intrinsic(_two_ramps) if compiled() else _two_ramps_uncompiled
+)
+"""In a kernel: min(1, value + (x - origin) / run) for two ramps, by one division of two numbers.
+
+From an unsigned index on, the buffer holds the two origins, the two values, the two runs.
+"""
+
 new_links: Callable[[Any], Any] = (lambda _: SimpleNamespace()) if numba.config.DISABLE_JIT else structref.new
 """In a kernel: make an object of a `links_type`, whose attributes are still to be set."""
 

@@ -12,31 +12,18 @@ Floats = NDArray[float64]
 
 
 @inlined
-def moments_of_two(place: float, degree: float, other_place: float, other: float) -> tuple[float, float]:
-    """Return what two singletons add to the two sums of CoGS."""
-    return place * degree + other_place * other, degree + other
-
-
-@inlined
 def moments_of_singletons(
     places: Floats, place: int, degrees: Floats, degree: int, count: int
 ) -> tuple[float, float]:
     """Return the two sums of CoGS (Table 2): of place times degree, and of the degrees.
 
-    The places are `places[place : place + count]`, the degrees likewise;
-    `count` is even, which shortens the chain of sums.
+    The places are `places[place : place + count]`, the degrees likewise.
     """
     moment = 0.0
     total = 0.0
-    end = place + count
-    while place < end:
-        both, degree_of_both = moments_of_two(
-            places[u(place)], degrees[u(degree)], places[u(place + 1)], degrees[u(degree + 1)]
-        )
-        moment += both
-        total += degree_of_both
-        place += 2
-        degree += 2
+    for term in range(count):
+        moment += places[u(place + term)] * degrees[u(degree + term)]
+        total += degrees[u(degree + term)]
     return moment, total
 
 

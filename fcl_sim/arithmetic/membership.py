@@ -4,7 +4,7 @@ from numpy import float64
 from numpy.typing import NDArray
 
 from fcl_sim.arithmetic.operators import minimum
-from fcl_sim.jit import inlined, u
+from fcl_sim.jit import inlined, two_ramps, u
 
 FEW = 8
 """So many knots are halved three times; of more, a quarter is left by each three comparisons."""
@@ -50,14 +50,25 @@ def cell_of_many(x: float, floats: NDArray[float64], knots: int, count: int) -> 
     return cell_of(x, floats, knots, count)
 
 
+PAIR_SIZE = 6
+"""Numbers of a pair of segments: two origins, two values, two runs."""
+
+
 @inlined
-def degree_on(x: float, floats: NDArray[float64], segment: int) -> float:
-    """Return the degree of `x` on the segment (origin, value, run) at `floats[segment]`.
+def degree_on(x: float, floats: NDArray[float64], pairs: int, number: int) -> float:
+    """Return the degree of `x` on one of the segments whose pairs begin at `floats[pairs]`.
 
     The origin is the end where the degree is lower: near zero the error is
     relative to the degree itself. The run is the signed distance over which
     the degree would rise by 1, infinite where it is constant: a quotient is
     as near to the true degree as a float can be, a product with a slope is not.
     """
-    rise = (x - floats[u(segment)]) / floats[u(segment + 2)]
-    return minimum(1.0, floats[u(segment + 1)] + rise)
+    segment = pairs + PAIR_SIZE * (number >> 1) + (number & 1)
+    rise = (x - floats[u(segment)]) / floats[u(segment + 4)]
+    return minimum(1.0, floats[u(segment + 2)] + rise)
+
+
+@inlined
+def degrees_on_pair(x: float, floats: NDArray[float64], pair: int) -> tuple[float, float]:
+    """Return the degrees of `x` on the pair of segments at `floats[pair]`, as `degree_on` does."""
+    return two_ramps(x, floats, u(pair))

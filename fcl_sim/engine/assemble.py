@@ -1,13 +1,14 @@
 """`assemble`: FunctionBlock to Program."""
 
 from collections.abc import Sequence
-from math import inf, nan
+from math import inf, nan, prod
 
 import numpy as np
 
 from fcl_sim.arithmetic.curves import CODES, PARAMETERS
-from fcl_sim.arithmetic.membership import FEW
+from fcl_sim.arithmetic.membership import FEW, PAIR_SIZE
 from fcl_sim.engine import program as p
+from fcl_sim.engine.assemble_joint import Laid, put_joint
 from fcl_sim.engine.assemble_outputs import Outputs, put_outputs
 from fcl_sim.engine.assemble_rules import code_of, put_rules
 from fcl_sim.engine.buffers import Buffers
@@ -39,13 +40,14 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
     buffers = Buffers()
     stack = 2 * max((depth(code.tokens) for code in codes), default=0)
     outputs = put_outputs(buffers, block, own, own.stack + stack)
+    grids, laid = _grids(buffers, own, codes, precision)
     header = {
         p.RULES: len(codes),
         p.WORDS: own.words,
         p.SUMMARY: summary_words(own.words),
         p.ALL: buffers.put(words_of(every(codes), own.words)),
         p.GRIDS: len(own.functions),
-        p.GRID: _grids(buffers, own, codes, precision),
+        p.GRID: grids,
         p.BROUGHT: len(own.brought),
         p.BRING: buffers.put(word for name in own.brought for word in _brought(own, name)),
         p.MOVED: len(own.moved),
@@ -60,13 +62,17 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
         p.VISITED: own.visited,
         p.ROWS: own.rows,
         p.STACK: own.stack,
+        p.JOINT_HELD: own.held,
         p.MORE: int(own.words > 1 or bool(own.brought) or bool(own.moved)),
     }
     for word, value in header.items():
         buffers.ints[word] = value
     buffers.ints[p.TOGETHER] = together(buffers.ints)
+    for word, value in zip((p.JOINT, p.JOINT_PAIRS), put_joint(buffers, codes, laid), strict=True):
+        buffers.ints[word] = value
     buffers.floats[p.LIMIT], buffers.floats[p.TIE] = precision.limit, precision.tie
     initial = _initial(block, max(outputs.size, own.stack))
+    initial[own.held] = buffers.ints[buffers.ints[p.JOINT]] if buffers.ints[p.JOINT] > 0 else 0
     with np.errstate(over="ignore"):
         floats = np.array(buffers.floats).astype(precision.dtype)
     flat = np.isinf(floats) & np.isfinite(buffers.floats)
@@ -85,50 +91,67 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
     )
 
 
-def _grids(buffers: Buffers, own: Plan, codes: Sequence[Code], precision: Precision) -> int:
-    """Append the tables of every fuzzified input; return where their records begin."""
-    records = []
-    for number, (variable, functions) in enumerate(own.functions.items()):
-        slots = [slot for slot, _ in functions]
-        grid = merge([function for _, function in functions])
-        active = [_active(cell, slots) for cell in grid.cells]
-        width = max(2, *(len(each) for each in active))
-        spare = [(own.spill, 0.0, 0.0, inf)]
-        filled = [each + spare * (width - len(each)) for each in active]
-        sets = fireable(codes, slots, grid.cells)
+def _grids(
+    buffers: Buffers, own: Plan, codes: Sequence[Code], precision: Precision
+) -> tuple[int, list[Laid]]:
+    """Append the tables of every fuzzified input; return where their records begin, and each as laid out."""
+    slots_of = {variable: [slot for slot, _ in functions] for variable, functions in own.functions.items()}
+    grids = {variable: merge([each for _, each in own.functions[variable]]) for variable in own.functions}
+    active = {name: [_active(cell, slots_of[name]) for cell in grid.cells] for name, grid in grids.items()}
+    most = max((len(each) for cells in active.values() for each in cells), default=0)
+    width = max(2, most + most % 2)
+    spare = [(own.spill, 0.0, 0.0, inf)]
+    records: list[int] = []
+    laid: list[Laid] = []
+    for number, (variable, grid) in enumerate(grids.items()):
+        filled = [each + spare * (width - len(each)) for each in active[variable]]
+        slots = [[slot for slot, *_ in each] for each in filled]
+        sets = fireable(codes, slots_of[variable], grid.cells)
         rows = [
-            word
-            for each, rules in zip(filled, sets, strict=True)
-            for word in _row([slot for slot, *_ in each], rules, own.words)
+            word for each, rules in zip(slots, sets, strict=True) for word in _row(each, rules, own.words)
         ]
-        segments = [number for each in filled for _, *segment in each for number in segment]
+        cells = [
+            number
+            for ends, each in zip(_edges(grid, precision), filled, strict=True)
+            for number in (*ends, *_in_pairs([segment for _, *segment in each]))
+        ]
         knots = _knots(grid)
         mask = own.rows + number if own.words > 1 else 0
+        pieces = p.EDGES_SIZE + width // 2 * PAIR_SIZE
+        cells_at = buffers.put_floats(cells)
         records += [
             own.inputs[variable],
             len(knots),
             buffers.put_floats(knots),
             width,
             buffers.put(rows),
-            buffers.put_floats(segments),
+            cells_at,
             len(rows) // len(filled),
-            width * p.SEGMENT_SIZE,
+            pieces,
             mask,
-            buffers.put_floats(_edges(grid, precision)),
+            prod(len(each.rules) for each in laid),
             own.cells + number,
             int(width > 2 or mask != 0),
         ]
-    return buffers.put(records)
+        met = [[own.inputs[variable], cells_at + cell * pieces, *each] for cell, each in enumerate(slots)]
+        laid.append(Laid(width, sets, met))
+    return buffers.put(records), laid
 
 
-def _edges(grid: Grid, precision: Precision) -> list[float]:
+def _in_pairs(segments: Sequence[Sequence[float]]) -> list[float]:
+    """Return origin, value and run of segments as the kernel takes them, by pairs (arithmetic.membership)."""
+    pairs = zip(segments[::2], segments[1::2], strict=True)
+    return [number for pair in pairs for both in zip(*pair, strict=True) for number in both]
+
+
+def _edges(grid: Grid, precision: Precision) -> list[tuple[float, float]]:
     """Return the least and the greatest number of each cell; of an empty one, the wrong way round."""
     knots = np.array([-inf, *(float(knot) for knot in grid.knots), inf], precision.dtype)
     after, before = np.nextafter(knots, precision.dtype(inf)), np.nextafter(knots, precision.dtype(-inf))
     after[0], before[-1] = -inf, inf
-    edges = [-inf, float(before[1])]
+    edges = [(-inf, float(before[1]))]
     for knot in range(1, len(knots) - 1):
-        edges += [float(knots[knot])] * 2 + [float(after[knot]), float(before[knot + 1])]
+        edges += [(float(knots[knot]),) * 2, (float(after[knot]), float(before[knot + 1]))]
     return edges
 
 

@@ -14,7 +14,6 @@ Inputs, outputs and flags stay where the caller has them: word m of a point is
 from numpy import float64, int64
 from numpy.typing import NDArray
 
-from fcl_sim.arithmetic.defuzzify import moments_of_two
 from fcl_sim.arithmetic.membership import cell_of_many, degree_on
 from fcl_sim.arithmetic.operators import clamped, maximum, minimum
 from fcl_sim.engine.program import (
@@ -27,15 +26,16 @@ from fcl_sim.engine.program import (
     BROUGHT,
     CLAMPS,
     DE_BRUIJN,
+    EDGES_SIZE,
     FLOATS,
     GRID,
+    GRID_CELLS,
     GRID_COUNT,
     GRID_INPUT,
     GRID_KNOTS,
     GRID_PIECES,
     GRID_ROW_SIZE,
     GRID_ROWS,
-    GRID_SEGMENTS,
     GRID_SIZE,
     GRID_WIDTH,
     GRIDS,
@@ -55,7 +55,6 @@ from fcl_sim.engine.program import (
     RULE_LENGTH,
     RULE_THEN,
     RULES,
-    SEGMENT_SIZE,
     THEN_DEGREE,
     THEN_SIZE,
     THEN_SUM,
@@ -93,14 +92,14 @@ def fuzzify_rows(
         for point in range(count):
             cells[u(point)] = cell_of_many(points[u(given + point)], floats, knots, knot_count)
         most = ints[u(grid + GRID_WIDTH)]
-        slots, segments = ints[u(grid + GRID_ROWS)] + 1, origin + ints[u(grid + GRID_SEGMENTS)]
+        slots, segments = ints[u(grid + GRID_ROWS)] + 1, origin + ints[u(grid + GRID_CELLS)] + EDGES_SIZE
         row_size, pieces = ints[u(grid + GRID_ROW_SIZE)], ints[u(grid + GRID_PIECES)]
         for point in range(count):
             x = points[u(given + point)]
             slot = slots + cells[u(point)] * row_size
             segment = segments + cells[u(point)] * pieces
             for place in range(most):
-                degree = degree_on(x, floats, segment + place * SEGMENT_SIZE)
+                degree = degree_on(x, floats, segment, place)
                 rows[u(ints[u(slot + place)] * width + point)] = degree
         grid += GRID_SIZE
 
@@ -187,15 +186,12 @@ def defuzzify_rows(
         for point in range(count):
             rows[u(moments + point)] = 0.0
             rows[u(weights + point)] = 0.0
-        for term in range(0, terms, 2):
-            place, next_place = floats[u(places + term)], floats[u(places + term + 1)]
-            first = degrees + term * width
-            second = first + width
+        for term in range(terms):
+            place, own = floats[u(places + term)], degrees + term * width
             for point in range(count):
-                both = rows[u(first + point)], rows[u(second + point)]
-                moment, weight = moments_of_two(place, both[0], next_place, both[1])
-                rows[u(moments + point)] += moment
-                rows[u(weights + point)] += weight
+                degree = rows[u(own + point)]
+                rows[u(moments + point)] += place * degree
+                rows[u(weights + point)] += degree
         default, keep = floats[u(places + terms)], ints[u(output + OUT_KEEP)] != 0
         value = ints[u(output + OUT_VALUE)] * size + row
         active = ints[u(output + OUT_ACTIVE)] * size + row

@@ -12,12 +12,14 @@ from numpy import float64, int64
 from numpy.typing import NDArray
 
 from fcl_sim.arithmetic.defuzzify import moments_of_singletons
-from fcl_sim.arithmetic.membership import cell_of, degree_on
 from fcl_sim.arithmetic.operators import clamped, maximum, minimum
 from fcl_sim.arithmetic.pairs import disjunction
 from fcl_sim.engine.aggregate import aggregate
+from fcl_sim.engine.clear import clear
 from fcl_sim.engine.curved import CURVED, Curved
+from fcl_sim.engine.fuzzify import fuzzify
 from fcl_sim.engine.hedged import conclude_hedged
+from fcl_sim.engine.joint import infer_jointly
 from fcl_sim.engine.moving import fuzzify_moved, sourced
 from fcl_sim.engine.program import (
     ALL,
@@ -29,29 +31,13 @@ from fcl_sim.engine.program import (
     BROUGHT,
     BY_COGS,
     CLAMPS,
-    CLEAR,
-    CLEARED,
-    CLEARED_TOGETHER,
     DE_BRUIJN,
     DEGREES,
     FLOATS,
-    GRID,
-    GRID_CELL,
-    GRID_COUNT,
-    GRID_EDGES,
-    GRID_INPUT,
-    GRID_KNOTS,
-    GRID_MASK,
-    GRID_MORE,
-    GRID_PIECES,
-    GRID_ROW_SIZE,
-    GRID_ROWS,
-    GRID_SEGMENTS,
-    GRID_SIZE,
-    GRID_WIDTH,
     GRIDS,
     GROUP_BSUM,
     GROUP_NSUM,
+    JOINT,
     MASK_BITS,
     MORE,
     OUT_ACTIVE,
@@ -73,7 +59,6 @@ from fcl_sim.engine.program import (
     RULE_LENGTH,
     RULE_THEN,
     RULES,
-    SEGMENT_SIZE,
     SUMMARY,
     THEN_DEGREE,
     THEN_SIZE,
@@ -83,23 +68,10 @@ from fcl_sim.engine.program import (
     WORDS,
 )
 from fcl_sim.engine.settle import settle
-from fcl_sim.jit import clear_eight, flat, inlined, u
+from fcl_sim.jit import flat, inlined, u
 
 Ints = NDArray[int64]
 Floats = NDArray[float64]
-
-
-@inlined
-def clear(ints: Ints, at: int, memory: Floats, base: int) -> None:
-    """Set all degrees to 0.
-
-    Of a plain loop the compiler makes a call of memset, or one that prepares
-    for a long way: for a few dozen words both take longer than the stores.
-    """
-    word = base + ints[u(at + CLEAR)]
-    while word < base + ints[u(at + CLEARED)]:
-        clear_eight(memory, u(word))
-        word += CLEARED_TOGETHER
 
 
 @flat
@@ -112,55 +84,6 @@ def clear_visited(ints: Ints, at: int, memory: Floats, base: int) -> None:
         for word in range(start, min(start + MASK_BITS, degrees + ints[u(at + RULES)])):
             memory[u(word)] = 0.0
     memory[u(visited)] = 0.0
-
-
-@inlined
-def fuzzify(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> int:
-    """Write the degrees of all input terms; return the mask of rules that can fire, if it is one word.
-
-    In a loop, a variable is seldom in another cell than at the last evaluation:
-    a processor goes on with that one while it still compares.
-    """
-    origin = ints[u(at + FLOATS)]
-    first = int(ints[u(at + ints[u(at + ALL)])])
-    grid = at + ints[u(at + GRID)]
-    for _ in range(ints[u(at + GRIDS)]):
-        x = memory[u(base + ints[u(grid + GRID_INPUT)])]
-        held = base + ints[u(grid + GRID_CELL)]
-        cell = int(memory[u(held)])
-        edge = origin + ints[u(grid + GRID_EDGES)] + 2 * cell
-        if not (floats[u(edge)] <= x <= floats[u(edge + 1)]):
-            cell = cell_of(x, floats, origin + ints[u(grid + GRID_KNOTS)], ints[u(grid + GRID_COUNT)])
-            memory[u(held)] = cell
-        row = at + ints[u(grid + GRID_ROWS)] + cell * ints[u(grid + GRID_ROW_SIZE)]
-        segment = origin + ints[u(grid + GRID_SEGMENTS)] + cell * ints[u(grid + GRID_PIECES)]
-        first &= int(ints[u(row)])
-        memory[u(base + ints[u(row + 1)])] = degree_on(x, floats, segment)
-        memory[u(base + ints[u(row + 2)])] = degree_on(x, floats, segment + SEGMENT_SIZE)
-        if ints[u(grid + GRID_MORE)] != 0:
-            fuzzify_more(ints, floats, at, grid, row, segment, x, memory, base)
-        grid += GRID_SIZE
-    return first
-
-
-@inlined
-def fuzzify_more(
-    ints: Ints,
-    floats: Floats,
-    at: int,
-    grid: int,
-    row: int,
-    segment: int,
-    x: float,
-    memory: Floats,
-    base: int,
-) -> None:
-    """Write the degrees of the terms of a cell but two, and of masks of many words where the row's begins."""
-    width = ints[u(grid + GRID_WIDTH)]
-    for place in range(2, width):
-        memory[u(base + ints[u(row + 1 + place)])] = degree_on(x, floats, segment + place * SEGMENT_SIZE)
-    if ints[u(grid + GRID_MASK)] != 0:
-        memory[u(base + ints[u(grid + GRID_MASK)])] = row + 1 + width - at
 
 
 @flat
@@ -341,6 +264,9 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
     the degrees of the rules and of all terms. Inputs are finite: callers see
     to that (S37). The program has no area under a norm of the Open Level.
     """
+    if ints[u(at + JOINT)] != 0:
+        infer_jointly(ints, floats, at, memory, base)
+        return
     accumulate(ints, floats, at, memory, base)
     defuzzify(ints, floats, at, memory, base, None)
 

@@ -83,6 +83,7 @@ class Plan:
     clamps: int
     clear: int
     cells: int
+    held: int
     visited: int
     rows: int
     stack: int
@@ -131,7 +132,8 @@ def plan(block: FunctionBlock) -> Plan:
     words = max(1, -(-rules // MASK_BITS))
     clear = degrees if summary_words(words) == 0 else degrees + rules
     cells = clear + -(-(at + 2 - clear) // CLEARED_TOGETHER) * CLEARED_TOGETHER
-    visited = cells + len(functions)
+    held = cells + len(functions)
+    visited = held + 1
     return Plan(
         inputs=inputs,
         outputs=outputs,
@@ -150,6 +152,7 @@ def plan(block: FunctionBlock) -> Plan:
         clamps=at + 1,
         clear=clear,
         cells=cells,
+        held=held,
         visited=visited,
         rows=visited + (1 + words if words > 1 else 0),
         stack=visited + (1 + words + len(functions) if words > 1 else 0),

@@ -33,6 +33,10 @@ Header (i):
     ROWS          (m) with WORDS > 1: the GRID_MASK of the grids, one after the other
     STACK         (m) stack of the postfix code
     MORE          1 where WORDS is above 1, or BROUGHT or MOVED above 0; else 0
+    JOINT         (i) table by joint cell, the sum of each input's cell times its GRID_STRIDE: where its
+                  record begins (i); 0 in a program that has none
+    JOINT_HELD    (m) where the record of the joint cell of the last evaluation begins (i)
+    JOINT_PAIRS   pairs of segments per cell
     TOGETHER      which steps are taken for many points together: ONE_BY_ONE none, UP_TO_RULES all but
                   defuzzification, ALL_TOGETHER all
 
@@ -40,15 +44,16 @@ Grid record (i), one for each input that has terms with constant points:
     GRID_INPUT    (m) the variable
     GRID_COUNT    number of knots, filled up with NaN to 8 or a power of 4, and to more than there are
     GRID_KNOTS    (f) the knots, strictly rising
-    GRID_WIDTH    segments per cell, at least 2; cell 2 k is the interval before knot k, cell 2 k + 1 the
+    GRID_WIDTH    segments per cell, an even number; cell 2 k is the interval before knot k, cell 2 k + 1 the
                   knot itself
     GRID_ROWS     (i) a row per cell: the first word of the mask of the rules that can fire there, the slots
                   (m) whose degrees the segments give, and where WORDS is above 1 the whole mask
-    GRID_SEGMENTS (f) by cell and segment: origin, value, run; slots without a segment have degree 0
+    GRID_CELLS    (f) by cell: the least and the greatest number in it, then its segments in pairs
+                  (arithmetic.membership); slots without a segment have degree 0
     GRID_ROW_SIZE words of a row
-    GRID_PIECES   numbers of a cell's segments
+    GRID_PIECES   numbers of a cell
     GRID_MASK     (m) with WORDS > 1: where the mask of its cell now begins (i); else 0
-    GRID_EDGES    (f) by cell: the least and the greatest number in it
+    GRID_STRIDE   what the number of its cell counts in that of the joint cell
     GRID_CELL     (m) the cell at the last evaluation
     GRID_MORE     1 where GRID_WIDTH is above 2 or GRID_MASK is not 0; else 0
 
@@ -108,6 +113,15 @@ Output record (i):
                   the area record
     OUT_LIMITS    (f) where the result is taken no further than a range: its two ends; else 0
 
+Record of a joint cell (i), for each grid:
+    MET_INPUT     (m) the variable
+    MET_CELL      (f) its cell, as in GRID_CELLS
+    MET_SLOTS …   2 JOINT_PAIRS slots (m) whose degrees the segments give
+    and its list, for each output the number of terms that can be concluded, and for each of these:
+    FIRED_TERM    which term
+    FIRED_RULES   number of rules
+    … rules: slots (m) of the degrees of which each takes the least, two at least; FIRED_DEGREE - RULE_DEGREE
+
 Formula record (i), a place calculated at each evaluation:
     FORMULA_VALUE  (m) the place
     FORMULA_STACK  (m) stack of the postfix code
@@ -151,7 +165,7 @@ Floats (f) begin with what their precision sets, so that no offset of a constant
 
 Instance memory (m), a head that traces record and the work behind it:
     inputs | outputs | active flags | degrees of the rules |
-    slots | accumulated degrees | spill | clamps | cells | visited | rows | stack | areas
+    slots | accumulated degrees | spill | clamps | cells | joint cell | visited | rows | stack | areas
 """
 
 from collections.abc import Mapping
@@ -183,9 +197,12 @@ from numpy.typing import NDArray
     ROWS,
     STACK,
     MORE,
+    JOINT,
+    JOINT_HELD,
+    JOINT_PAIRS,
     TOGETHER,
     HEADER_SIZE,
-) = range(24)
+) = range(27)
 
 (
     GRID_INPUT,
@@ -193,11 +210,11 @@ from numpy.typing import NDArray
     GRID_KNOTS,
     GRID_WIDTH,
     GRID_ROWS,
-    GRID_SEGMENTS,
+    GRID_CELLS,
     GRID_ROW_SIZE,
     GRID_PIECES,
     GRID_MASK,
-    GRID_EDGES,
+    GRID_STRIDE,
     GRID_CELL,
     GRID_MORE,
     GRID_SIZE,
@@ -208,6 +225,9 @@ CURVE_HEIGHT, CURVE_PARAMETER, CURVE_SIZE = 5, 6, 10
 SPOT_X, SPOT_DEGREE, SPOT_SIZE = range(3)
 RULE_KIND, RULE_LENGTH, RULE_THEN, RULE_DEGREE, RULE_BODY = range(5)
 THEN_DEGREE, THEN_SUM, THEN_WEIGHT, THEN_SIZE = range(4)
+MET_INPUT, MET_CELL, MET_SLOTS = range(3)
+FIRED_TERM, FIRED_RULES, FIRED_SIZE = range(3)
+FIRED_DEGREE = -1
 HEDGED_SUM, HEDGED_COUNT, HEDGED_FIRST = range(3)
 LOOK_TERM, LOOK_TERMS, LOOK_DEGREES, LOOK_GROUPS, LOOK_KINDS, LOOK_SIZE = range(6)
 (
@@ -272,7 +292,7 @@ MASK_BITS = 32
 CLEARED_TOGETHER = 8
 DE_BRUIJN = 0x077CB531
 """Times a power of two below 2**32, bits 27 to 31 of the product tell which one."""
-SEGMENT_SIZE = 3
+EDGES_SIZE = 2
 FORMULA_PUSH = -1
 
 
@@ -367,4 +387,5 @@ class Program:
         entry = self.ints[RULE] + rule - bit + (((DE_BRUIJN << bit) >> 27) & 31)
         ints = self.ints.copy()
         ints[ints[entry] + RULE_THEN] = 0
+        ints[JOINT] = 0
         return replace(self, ints=ints)

@@ -1,10 +1,12 @@
 """A program in print: what `fcl-sim show program` gives."""
 
 from collections.abc import Iterator
+from math import prod
 
 import numpy as np
 
 from fcl_sim.arithmetic.curves import ARITIES
+from fcl_sim.arithmetic.membership import PAIR_SIZE
 from fcl_sim.engine import program as p
 from fcl_sim.engine.conditions import AND_CODE, OR_CODE
 from fcl_sim.engine.program import Program
@@ -31,6 +33,7 @@ def program_text(program: Program) -> str:
         f"program {program.name}: {sizes}",
         *_memory(program),
         *_grids(program),
+        *_joint(program),
         *_moved(program),
         *_rules(program),
         *outputs_text(program, _names(program)),
@@ -81,11 +84,11 @@ def _grids(program: Program) -> Iterator[str]:
         for cell in range(2 * len(knots) + 1):
             row = ints[grid[p.GRID_ROWS] + cell * grid[p.GRID_ROW_SIZE] :][: grid[p.GRID_ROW_SIZE]]
             rules = row[1 + width + summary :] if ints[p.WORDS] > 1 else row
-            segments = floats[grid[p.GRID_SEGMENTS] + cell * width * p.SEGMENT_SIZE :].reshape(-1)
+            segments = floats[grid[p.GRID_CELLS] + cell * grid[p.GRID_PIECES] + p.EDGES_SIZE :]
             yield f"  {_place(knots, cell):18}  rules {_mask(rules, program)}"
             for k, slot in enumerate(row[1 : 1 + width].tolist()):
                 if slot in names:
-                    origin, value, run = segments[k * p.SEGMENT_SIZE :][: p.SEGMENT_SIZE]
+                    origin, value, run = segments[PAIR_SIZE * (k // 2) + k % 2 :: 2][:3]
                     rise = "" if np.isinf(run) else f" + (x - {origin:g}) / {run:g}"
                     yield f"      {names[slot]} = {value:g}{rise}"
 
@@ -105,6 +108,19 @@ def _mask(words: np.ndarray[tuple[int], np.dtype[np.int64]], program: Program) -
         if int(words[rule // p.MASK_BITS]) >> (rule % p.MASK_BITS) & 1
     ]
     return ", ".join(labels) or "none"
+
+
+def _joint(program: Program) -> Iterator[str]:
+    """Yield how many ways there are in which cells meet, where rules are listed by them."""
+    ints = program.ints
+    if ints[p.JOINT] > 0:
+        grids = ints[ints[p.GRID] :][: ints[p.GRIDS] * p.GRID_SIZE].reshape(-1, p.GRID_SIZE)
+        cells = (
+            2 * int(np.isfinite(program.floats[at : at + count]).sum()) + 1
+            for at, count in grids[:, [p.GRID_KNOTS, p.GRID_COUNT]]
+        )
+        yield ""
+        yield f"joint cells: {prod(cells)}, each with the list of the rules that can fire in it"
 
 
 def _moved(program: Program) -> Iterator[str]:

@@ -1,11 +1,12 @@
 from math import inf, nan
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fcl_sim.arithmetic.membership import cell_of, cell_of_many, degree_on
-from fcl_sim.jit import F, entry, f8, i8, signature
+from fcl_sim.arithmetic.membership import PAIR_SIZE, cell_of, cell_of_many, degree_on, degrees_on_pair
+from fcl_sim.jit import F4, Entry, F, entry, f8, i8, signature, u, void
 
 BEFORE = 3
 """Floats before the knots, to be left alone."""
@@ -21,9 +22,18 @@ def cell_for_many(x, floats, knots, count):
     return cell_of_many(x, floats, knots, count)
 
 
-@entry(signature(f8, f8, F, i8))
-def degree(x, floats, segment):
-    return degree_on(x, floats, segment)
+@entry(signature(f8, f8, F, i8, i8))
+def degree(x, floats, pairs, number):
+    return degree_on(x, floats, pairs, number)
+
+
+@entry(signature(void, F, F, i8, F))
+def pair_of_degrees(xs, floats, pair, found):
+    for i in range(xs.size):
+        found[u(2 * i)], found[u(2 * i + 1)] = degrees_on_pair(xs[u(i)], floats, pair)
+
+
+pair_of_singles = Entry(pair_of_degrees.function, signature(void, F4, F4, i8, F4))
 
 
 def located(x, knots):
@@ -64,10 +74,24 @@ def test_knots_one_bit_apart_are_told_apart():
 
 
 def test_a_degree_near_0_is_exact_to_its_own_digits():
-    falling = np.array([22.0, 0.0, -12.0])
-    assert degree(22.0 - 2.0**-40, falling, 0) == 2.0**-40 / 12
+    falling = np.array([22.0, 0.0, 0.0, 0.0, -12.0, inf])
+    assert degree(22.0 - 2.0**-40, falling, 0, 0) == 2.0**-40 / 12
 
 
 def test_a_degree_never_exceeds_1():
-    steep = np.array([0.0, 0.0, 1.0 - 2.0**-40])
-    assert degree(1.0, steep, 0) == 1.0
+    steep = np.array([0.0, 0.0, 0.0, 0.0, inf, 1.0 - 2.0**-40])
+    assert degree(1.0, steep, 0, 1) == 1.0
+
+
+@pytest.mark.parametrize(("dtype", "both"), [(np.float64, pair_of_degrees), (np.float32, pair_of_singles)])
+def test_two_degrees_at_once_are_those_of_one_after_the_other(dtype, both):
+    random = np.random.default_rng(1)
+    xs = np.array([*random.uniform(-3, 3, 200), 0.0, -0.0, 1e300, -1e300, nan]).astype(np.float64)
+    xs = np.clip(xs, np.finfo(dtype).min, np.finfo(dtype).max).astype(dtype)
+    segments = random.uniform(-2, 2, BEFORE + 2 * PAIR_SIZE).astype(dtype)
+    segments[-1] = inf
+    found = np.empty(2 * xs.size, dtype)
+    both(xs, segments, BEFORE + PAIR_SIZE, found)
+    with np.errstate(over="ignore", invalid="ignore"):
+        expected = [degree_on(x, segments, BEFORE, number) for x in xs for number in (2, 3)]
+    assert found.tobytes() == np.array(expected, dtype).tobytes()

@@ -2,7 +2,7 @@ import numpy as np
 
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.entries import evaluate_one
-from fcl_sim.engine.program import RULE, RULE_DEGREE, SUMMARY
+from fcl_sim.engine.program import JOINT, RULE, RULE_DEGREE, SUMMARY
 from fcl_sim.engine.show import program_text
 from fcl_sim.model import (
     Accumulation,
@@ -47,7 +47,7 @@ SMALL = block(
 )
 
 SHOWN = """\
-program small: 128 integers, 69 floats, 27 words of memory
+program small: 136 integers, 84 floats, 28 words of memory
 
 memory (the first 6 words are recorded)
   m0    x
@@ -65,7 +65,7 @@ memory (the first 6 words are recorded)
   m12   accumulated y IS big
   m14   clamps
 
-grid x: 2 knots, up to 3 degrees in a cell
+grid x: 2 knots, up to 4 degrees in a cell
   -inf < x < 0        rules 1
       x IS low = 1
   x = 0               rules 1
@@ -133,6 +133,7 @@ def test_labels_are_unique_and_say_their_rule_block_where_there_are_several():
 def test_only_rules_that_can_fire_are_visited():
     program = assemble(CRANE)
     ints = program.ints.copy()
+    ints[JOINT] = 0
     record = next(at for at in ints[ints[RULE] : ints[RULE] + 32] if ints[at + RULE_DEGREE] == 9)
     ints[record + RULE_DEGREE] = 0  # rule 6 now betrays itself: it overwrites the distance
     for distance, fires in ((30.0, False), (0.0, True)):
@@ -222,9 +223,9 @@ outputs
       BSUM
           0.5 · MIN(m12, μ) + 1 · MIN(m13, μ) of (0, 0) (1, 1) (2, 0)
   z: RM, range the hull of its points, DEFAULT 0
-      m417 = (m, 0) (5, 1)
+      m418 = (m, 0) (5, 1)
       BSUM
-          1 · MIN(m14, μ) of m417
+          1 · MIN(m14, μ) of m418
   w: LM, BSUM at m15, places m, 2, DEFAULT 0"""
 
 
