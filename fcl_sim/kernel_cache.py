@@ -7,7 +7,7 @@ import sys
 from functools import cache
 from pathlib import Path
 
-KERNEL_ROOMS = ("arithmetic", "engine", "concept", "plant", "loop")
+KERNEL_ROOMS = ("jit", "arithmetic", "engine", "concept", "plant", "loop")
 """What a compiled kernel can come from, relative to the package; the digest covers all of it."""
 
 KEPT_FOLDERS = 24
@@ -57,8 +57,7 @@ def _forget_old(home: Path) -> None:
 def _sources_digest() -> str:
     package = Path(__file__).parent
     digest = hashlib.sha256()
-    rooms = [file for room in KERNEL_ROOMS for file in sorted((package / room).rglob("*.py"))]
-    for file in [package / "jit.py", *rooms]:
+    for file in (file for room in KERNEL_ROOMS for file in sorted((package / room).rglob("*.py"))):
         digest.update(file.relative_to(package).as_posix().encode())
         digest.update(file.read_bytes())
     return digest.hexdigest()

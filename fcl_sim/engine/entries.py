@@ -14,6 +14,7 @@ from fcl_sim.engine.batch import (
 )
 from fcl_sim.engine.curved import CURVED, Curved
 from fcl_sim.engine.infer import accumulate, defuzzify, infer, infer_curved
+from fcl_sim.engine.joint import infer_jointly
 from fcl_sim.engine.program import (
     ALL_TOGETHER,
     CLAMPS,
@@ -36,8 +37,11 @@ def evaluate_one(ints: NDArray[int64], floats: NDArray[float64], memory: NDArray
 evaluate_one_real = Entry(evaluate_one.function, signature(void, I, F4, F4))
 """`evaluate_one` in binary32."""
 
-EVALUATE_ONE = {"LREAL": evaluate_one, "REAL": evaluate_one_real}
-"""By arithmetic."""
+
+@entry(signature(void, I, F, F))
+def evaluate_one_jointly(ints: NDArray[int64], floats: NDArray[float64], memory: NDArray[float64]) -> None:
+    """`evaluate_one` of programs with a table of joint cells."""
+    infer_jointly(ints, floats, 0, memory, 0)
 
 
 @entry(signature(void, I, F, F))
@@ -46,15 +50,19 @@ def evaluate_one_curved(ints: NDArray[int64], floats: NDArray[float64], memory: 
     infer_curved(ints, floats, 0, memory, 0)
 
 
-_ONE_CURVED = {
-    "LREAL": evaluate_one_curved,
-    "REAL": Entry(evaluate_one_curved.function, signature(void, I, F4, F4)),
+_ONE = {
+    ("LREAL", "plain"): evaluate_one,
+    ("LREAL", "joint"): evaluate_one_jointly,
+    ("LREAL", "curved"): evaluate_one_curved,
+    ("REAL", "plain"): evaluate_one_real,
+    ("REAL", "joint"): Entry(evaluate_one_jointly.function, signature(void, I, F4, F4)),
+    ("REAL", "curved"): Entry(evaluate_one_curved.function, signature(void, I, F4, F4)),
 }
 
 
 def one_for(program: Program) -> Entry:
     """Return what evaluates a program once."""
-    return (_ONE_CURVED if program.curved else EVALUATE_ONE)[program.arithmetic]
+    return _ONE[program.arithmetic, program.form]
 
 
 @kernel

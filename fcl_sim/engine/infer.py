@@ -19,7 +19,6 @@ from fcl_sim.engine.clear import clear
 from fcl_sim.engine.curved import CURVED, Curved
 from fcl_sim.engine.fuzzify import fuzzify
 from fcl_sim.engine.hedged import conclude_hedged
-from fcl_sim.engine.joint import infer_jointly
 from fcl_sim.engine.moving import fuzzify_moved, sourced
 from fcl_sim.engine.program import (
     ALL,
@@ -37,7 +36,6 @@ from fcl_sim.engine.program import (
     GRIDS,
     GROUP_BSUM,
     GROUP_NSUM,
-    JOINT,
     MASK_BITS,
     MORE,
     OUT_ACTIVE,
@@ -264,9 +262,6 @@ def infer(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> Non
     the degrees of the rules and of all terms. Inputs are finite: callers see
     to that (S37). The program has no area under a norm of the Open Level.
     """
-    if ints[u(at + JOINT)] != 0:
-        infer_jointly(ints, floats, at, memory, base)
-        return
     accumulate(ints, floats, at, memory, base)
     defuzzify(ints, floats, at, memory, base, None)
 

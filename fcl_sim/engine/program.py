@@ -351,6 +351,11 @@ class Program:
         return "REAL" if self.floats.dtype == np.float32 else "LREAL"
 
     @property
+    def form(self) -> str:
+        """What evaluates it: `joint` its table of joint cells, `curved` what follows curves, or `plain`."""
+        return "joint" if self.ints[JOINT] > 0 else "curved" if self.curved else "plain"
+
+    @property
     def size(self) -> int:
         """Words of an instance's memory."""
         return self.initial.size

@@ -83,7 +83,7 @@ class Alone:
         row = [0, at, count, head, 0, count, *range(count), at, own, count]
         self._ints = np.array([*row, *program.placed(first)], np.int64)
         self._outputs = slice(program.outputs_at, program.active_at)
-        long, short = fuzzy_for({(program.arithmetic, program.curved)})
+        long, short = fuzzy_for({(program.arithmetic, program.form)})
         self._run = (short if real else long).compile()
         self._views = (self._floats.view(np.float32), self._memory.view(np.float32))
 

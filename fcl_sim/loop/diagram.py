@@ -109,7 +109,8 @@ class PlantNode:
     @property
     def signals(self) -> tuple[str, ...]:
         """Full names of its outputs, then of its inputs as written; one left unconnected is none."""
-        return tuple(name for name in self.paths if name not in self.unconnected)
+        left_out = self.unconnected
+        return tuple(name for name in self.paths if name not in left_out)
 
     @property
     def paths(self) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ the ends of steps alone: the step that is asked for bounds what is not seen.
 """
 
 from fcl_sim.jit import flat, inlined, u
-from fcl_sim.loop.layout import CHATTERS, DIRECTIONS_AT, EVENTS, STATES
+from fcl_sim.loop.layout import CHATTERS, DIRECTIONS_AT, EVENTS, STAGES, STATES
 from fcl_sim.loop.step import attempt
 from fcl_sim.loop.work import (
     ARMED,
@@ -89,14 +89,12 @@ def within(plant: Plant, work: Work, t: float, h: float) -> float:
     Of events that do so at its end nothing is said.
     """
     ints, rows, middle = work.ints, work.rows, work.middle
-    at = row_of(0, ints[u(STATES)])
-    x, trial, dx, bow = work.x, work.trial, work.dx, 0.125 * h
+    at, end = row_of(0, ints[u(STATES)]), row_of(ints[u(STAGES)], ints[u(STATES)])
+    x, trial, bow = work.x, work.trial, 0.125 * h
     i = 0
     while i < ints[u(STATES)]:
-        middle[u(i)] = 0.5 * (x[u(i)] + trial[u(i)]) + bow * (rows[u(at + i)] - dx[u(i)])
-        middle[u(i + 1)] = 0.5 * (x[u(i + 1)] + trial[u(i + 1)]) + bow * (rows[u(at + i + 1)] - dx[u(i + 1)])
-        middle[u(i + 2)] = 0.5 * (x[u(i + 2)] + trial[u(i + 2)]) + bow * (rows[u(at + i + 2)] - dx[u(i + 2)])
-        middle[u(i + 3)] = 0.5 * (x[u(i + 3)] + trial[u(i + 3)]) + bow * (rows[u(at + i + 3)] - dx[u(i + 3)])
+        for k in range(i, i + 4):
+            middle[u(k)] = 0.5 * (x[u(k)] + trial[u(k)]) + bow * (rows[u(at + k)] - rows[u(end + k)])
         i += 4
     plant.events(t + 0.5 * h, middle, work.held, work.p, work.progress[u(MODE)], work.gm)
     armed = work.progress[u(ARMED)]

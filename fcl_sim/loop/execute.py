@@ -23,7 +23,7 @@ from fcl_sim.loop.blocks import (
     sources,
 )
 from fcl_sim.loop.blocks.differentiator import differentiate
-from fcl_sim.loop.blocks.fuzzy import INSTANCE, Fuzzy, Singles
+from fcl_sim.loop.blocks.fuzzy import INSTANCE, Fuzzy, Singles, call_jointly
 from fcl_sim.loop.blocks.integrator import integrate
 from fcl_sim.loop.blocks.limiter import limit
 from fcl_sim.loop.blocks.linear import gain, weighted_sum
@@ -38,7 +38,7 @@ _FURTHER = (void, i8, I, F, F, i8, f8, f8, i8)
 
 FURTHER_TYPE = function_type(*_FURTHER)
 
-PYTHON_OPCODE = 6
+PYTHON_OPCODE, JOINT_OPCODE = 6, 7
 FAMILY_SHIFT, CODE_MASK = 5, 31
 
 
@@ -70,6 +70,8 @@ def execute(
             limit(here)
         elif opcode == 5:
             integrate(here)
+        elif opcode == JOINT_OPCODE:
+            call_jointly(ints, floats, memory, at)
         elif opcode == PYTHON_OPCODE:
             return at
         else:

@@ -19,12 +19,11 @@ from fcl_sim.loop.layout import (
     FINISHED,
     FIXED_STEP,
     RUN_BUDGET_SPENT,
-    STATES,
     STEP_AT,
     STEP_TOO_SMALL,
 )
-from fcl_sim.loop.step import attempt, error_of, keep, worst_state
-from fcl_sim.loop.work import GUESS, INDEX, MODE, STATUS, STEPS, Plant, Work, row_of
+from fcl_sim.loop.step import attempt, carry_derivative, carry_states, derive, error_of, worst_state
+from fcl_sim.loop.work import GUESS, INDEX, STATUS, STEPS, Plant, Work
 
 MAX_STEPS = 1_000_000
 """Steps between two writes beyond which an integration is given up."""
@@ -59,23 +58,13 @@ def accepted(work: Work, t: float, h: float, wanted: float) -> bool:
     if t + rows[u(GUESS)] == t:
         work.progress[u(STATUS)] = STEP_TOO_SMALL if error < inf else BLEW_UP
         work.progress[u(INDEX)] = worst_state(work, h)
-    at = row_of(0, ints[u(STATES)])
-    for i in range(ints[u(STATES)]):
-        work.dx[u(i)] = rows[u(at + i)]
     return False
 
 
 @inlined
 def carry(work: Work) -> None:
     """Make the end of a step the start of the next."""
-    x, trial = work.x, work.trial
-    i = 0
-    while i < work.ints[u(STATES)]:
-        x[u(i)] = trial[u(i)]
-        x[u(i + 1)] = trial[u(i + 1)]
-        x[u(i + 2)] = trial[u(i + 2)]
-        x[u(i + 3)] = trial[u(i + 3)]
-        i += 4
+    carry_states(work)
     for i in range(work.ints[u(EVENTS)]):
         work.g0[u(i)] = work.g1[u(i)]
 
@@ -90,7 +79,7 @@ def begin(plant: Plant, work: Work, t: float) -> bool:
         rearm(work.ints, work.g0, progress)
         if event >= 0 and not settle(plant, work, t, event):
             return False
-    plant.dynamics(t, work.x, work.held, work.p, progress[u(MODE)], work.dx)
+    derive(plant, work, t, work.x, 0)
     return True
 
 
@@ -113,12 +102,15 @@ def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
     On failure `progress` says how and of what.
     """
     ints, progress = work.ints, work.progress
-    states, adaptive = ints[u(STATES)], ints[u(ADAPTIVE)] == 1
+    adaptive = ints[u(ADAPTIVE)] == 1
     if not begin(plant, work, t):
         return False
     done = h = 0.0
+    goes_on = False
     for step in range(MAX_STEPS):
-        keep(work, states, 0)
+        if goes_on:
+            carry_derivative(work)
+            goes_on = False
         wanted = work.rows[u(GUESS)] if adaptive else work.floats[u(ints[u(STEP_AT)] + FIXED_STEP)]
         h = length - done
         pieces = max(1.0, ceil(h / wanted - 1e-9)) if h > wanted else 1.0
@@ -146,7 +138,9 @@ def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
         if done >= length:
             return afforded(work, step + 1, h)
         if event >= 0 or not adaptive:
-            plant.dynamics(t + done, work.x, work.held, work.p, progress[u(MODE)], work.dx)
+            derive(plant, work, t + done, work.x, 0)
+        else:
+            goes_on = True
     progress[u(STATUS)] = BUDGET_SPENT
     progress[u(INDEX)] = worst_state(work, h)
     return False

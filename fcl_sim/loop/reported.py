@@ -22,7 +22,7 @@ def _events(tape: Tape, node: Node, record: Values) -> Iterator[BlockEvent]:
     names = type_of(node).events
     if not names:
         return
-    numbers = record[:, tape.column(tape.slots[f"{node.name}.event"])].astype(np.int64)
+    numbers = record[:, tape.recorded.column(tape.slots[f"{node.name}.event"])].astype(np.int64)
     before = np.concatenate(([0], numbers[:-1]))
     for scan in np.flatnonzero((numbers != before) & (numbers != 0)):
         number = int(numbers[scan])

@@ -6,7 +6,7 @@ from time import perf_counter
 import numpy as np
 
 from fcl_sim.loop import layout
-from fcl_sim.loop.diagram import Diagram, FuzzyNode, Wire
+from fcl_sim.loop.diagram import Diagram, FuzzyNode
 from fcl_sim.loop.linked import Linked, linked
 from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.reported import events_of, refused
@@ -17,7 +17,6 @@ from fcl_sim.loop.tape import Tape, lower
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Incident, Trace, Values
 from fcl_sim.loop.wiring import wire
 from fcl_sim.loop.work import INDEX, ROW, SAMPLES, STATUS
-from fcl_sim.units import parse_unit
 
 REASONS = {
     layout.NOT_FINITE: "is NaN or infinite",
@@ -70,7 +69,7 @@ def run_tape(tape: Tape, halt: Event | None = None) -> Trace:
 
 def empty_record(tape: Tape) -> Values:
     """Return an array for the samples of a whole run, (scans + 1, columns)."""
-    return np.empty((tape.starts.size, sum(length for _, length in tape.segments)))
+    return np.empty((tape.starts.size, tape.recorded.width))
 
 
 def proceed(
@@ -121,19 +120,17 @@ def trace_of(tape: Tape, state: RunState, record: Values) -> Trace:
 
 def _trace(tape: Tape, record: Values, state: RunState) -> Trace:
     wiring = tape.wiring
-    names = tuple(wiring.units)
-    wires = [wiring.sources.get(name, Wire(name)) for name in names]
-    values = record.take([tape.column(tape.slots[wire.source]) for wire in wires], axis=1)
-    signs = np.array([wire.sign for wire in wires])
-    if (signs != 1.0).any():
-        values *= signs
+    found = tape.recorded
+    values = record[:, : len(found.names)]
+    if found.signs is not None:
+        values = values * found.signs
     fuzzy = {
         node.name: _fuzzy_record(tape, node, record) for node in wiring.order if isinstance(node, FuzzyNode)
     }
     return Trace(
         ticks=tape.starts[: record.shape[0]],
-        names=names,
-        units={name: unit.symbol for name, unit in wiring.units.items()},
+        names=found.names,
+        units=found.units,
         values=values,
         fuzzy=fuzzy,
         fault=_fault(tape, state),
@@ -151,9 +148,10 @@ def _incidents(tape: Tape, samples: int) -> tuple[Incident, ...]:
 
 def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
     program = node.block.program
-    first = tape.column(tape.instances[node.name])
+    first = tape.recorded.blocks[node.name]
     part = record[:, first : first + program.recorded]
-    restarted = node.name in {each.name for each in restarted_nodes(tape.wiring.diagram)}
+    cold = tape.schedule.cold
+    restarted = bool(cold) and node.name in {each.name for each in restarted_nodes(tape.wiring.diagram)}
     return FuzzyRecord(
         input_names=program.input_names,
         output_names=program.output_names,
@@ -162,8 +160,8 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
         outputs=part[:, program.outputs_at : program.active_at],
         degrees=part[:, program.degrees_at :],
         active=part[:, program.active_at : program.degrees_at] != 0.0,
-        cold=tuple(each for each in tape.schedule.cold if restarted and each < len(record)),
-        units={name: parse_unit(unit).symbol for name, unit in node.units.items()},
+        cold=tuple(each for each in cold if restarted and each < len(record)),
+        units=tape.recorded.block_units[node.name],
     )
 
 

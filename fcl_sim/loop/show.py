@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from fcl_sim.loop import layout
 from fcl_sim.loop.blocks import BLOCKS, OPCODES
 from fcl_sim.loop.diagram import FuzzyNode, Node, Wire
+from fcl_sim.loop.execute import JOINT_OPCODE
 from fcl_sim.loop.settings import signals_of
 from fcl_sim.loop.tape import Tape
 from fcl_sim.loop.wiring import Wiring
@@ -76,13 +77,13 @@ def tape_text(tape: Tape) -> str:
 
 def _sizes(tape: Tape) -> Iterator[str]:
     yield f"tape: {tape.ints.size} integers, {tape.floats.size} floats, {tape.memory.size} words of memory"
-    yield f"{tape.starts.size} samples of {sum(length for _, length in tape.segments)} columns"
+    yield f"{tape.starts.size} samples of {tape.recorded.width} columns"
 
 
 def _memory(tape: Tape) -> Iterator[str]:
     yield "memory"
     lines = {at: f"here begins the memory of {name}" for name, at in tape.instances.items()}
-    lines |= {at: f"{name}, recorded in column {tape.column(at)}" for name, at in tape.slots.items()}
+    lines |= {at: f"{name}, recorded in column {tape.recorded.column(at)}" for name, at in tape.slots.items()}
     yield from (f"  m{at:<4} {line}" for at, line in sorted(lines.items()))
 
 
@@ -99,7 +100,7 @@ def _rows(tape: Tape) -> Iterator[str]:
 def _row(row: list[int], names: Mapping[int, str]) -> str:
     inputs = row[layout.FIRST_INPUT : layout.FIRST_INPUT + row[layout.INPUTS]]
     words = ", ".join(names.get(slot, f"m{slot}") for slot in inputs)
-    kinds = {opcode: name for name, opcode in OPCODES.items()}
+    kinds = {opcode: name for name, opcode in OPCODES.items()} | {JOINT_OPCODE: "fuzzy"}
     return f"{names[row[layout.OUTPUT]]} <- {kinds[row[layout.OPCODE]]}({words})"
 
 

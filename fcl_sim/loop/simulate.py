@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from fcl_sim.jit import F4, FF, F, I, entry, flat, i8, inlined, signature, u
+from fcl_sim.jit import F4, FF, F, I, copy_four, entry, flat, i8, inlined, signature, u
 from fcl_sim.loop.blocks.fuzzy import Fuzzy, Singles
 from fcl_sim.loop.events import rearm
 from fcl_sim.loop.exact import advance_exactly, send
@@ -82,10 +82,15 @@ def record_sample(ints: Ints, memory: Floats, row: Floats) -> None:
     at = ints[u(SEGMENTS_AT)]
     column = 0
     for _ in range(ints[u(SEGMENTS)]):
-        first = ints[u(at)]
-        for i in range(ints[u(at + 1)]):
-            row[u(column)] = memory[u(first + i)]
+        word, end = ints[u(at)], ints[u(at)] + ints[u(at + 1)]
+        while word + 4 <= end:
+            copy_four(row, u(column), memory, u(word))
+            column += 4
+            word += 4
+        while word < end:
+            row[u(column)] = memory[u(word)]
             column += 1
+            word += 1
         at += 2
 
 

@@ -2,62 +2,73 @@
 
 from math import fabs, inf, isnan
 
-from fcl_sim.jit import flat, inlined, u
+from fcl_sim.jit import combine_four, copy_four, flat, inlined, shift_four, stretch, u
 from fcl_sim.loop.layout import ADAPTIVE, RTOL, SCALES_AT, SCHEME_AT, STAGES, STATES, STEP_AT, TRUE_STATES
 from fcl_sim.loop.work import BASE_AT, MODE, Floats, Plant, Work, row_of
 
 # States come in pieces of 4, written out, and how many there are is looked up
 # at each turn: of a loop whose length is known beforehand the compiler makes one
 # for long vectors, and asks before each whether any two of its arrays overlap.
+# What a plant has just written goes on one by one: a processor that reads four
+# numbers at once waits until those that were written singly have left it.
 
 
 @inlined
-def keep(work: Work, states: int, derivative: int) -> None:
-    """Copy dx into the row of a derivative."""
-    dx, rows = work.dx, work.rows
-    at = row_of(derivative, states)
+def derive(plant: Plant, work: Work, t: float, x: Floats, derivative: int) -> None:
+    """Let the plant write the derivative at x into its row."""
+    states = work.ints[u(STATES)]
+    row = stretch(work.rows, u(row_of(derivative, states)), u(states))
+    plant.dynamics(t, x, work.held, work.p, work.progress[u(MODE)], row)
+
+
+@inlined
+def carry_states(work: Work) -> None:
+    """Copy `trial` to x."""
+    x, trial = work.x, work.trial
     i = 0
     while i < work.ints[u(STATES)]:
-        rows[u(at + i)] = dx[u(i)]
-        rows[u(at + i + 1)] = dx[u(i + 1)]
-        rows[u(at + i + 2)] = dx[u(i + 2)]
-        rows[u(at + i + 3)] = dx[u(i + 3)]
+        x[u(i)] = trial[u(i)]
+        x[u(i + 1)] = trial[u(i + 1)]
+        x[u(i + 2)] = trial[u(i + 2)]
+        x[u(i + 3)] = trial[u(i + 3)]
         i += 4
 
 
 @inlined
-def shift(work: Work, origin: Floats, origin_at: int, weight: float, dx: Floats, dx_at: int) -> None:
-    """Set trial = origin + weight * dx, these two beginning at words of their buffers."""
-    trial = work.trial
+def carry_derivative(work: Work) -> None:
+    """Make the derivative at the solution that at x."""
+    ints = work.ints
+    first, last = row_of(0, ints[u(STATES)]), row_of(ints[u(STAGES)], ints[u(STATES)])
+    i = 0
+    while i < ints[u(STATES)]:
+        copy_four(work.rows, u(first + i), work.rows, u(last + i))
+        i += 4
+
+
+@inlined
+def shift(work: Work, origin: Floats, origin_at: int, weight: float, derivative: int) -> None:
+    """Set trial = origin + weight * a derivative, where the origin begins at a word of its buffer."""
+    trial, rows = work.trial, work.rows
+    row = row_of(derivative, work.ints[u(STATES)])
     i = 0
     while i < work.ints[u(STATES)]:
-        trial[u(i)] = origin[u(origin_at + i)] + weight * dx[u(dx_at + i)]
-        trial[u(i + 1)] = origin[u(origin_at + i + 1)] + weight * dx[u(dx_at + i + 1)]
-        trial[u(i + 2)] = origin[u(origin_at + i + 2)] + weight * dx[u(dx_at + i + 2)]
-        trial[u(i + 3)] = origin[u(origin_at + i + 3)] + weight * dx[u(dx_at + i + 3)]
+        trial[u(i)] = origin[u(origin_at + i)] + weight * rows[u(row + i)]
+        trial[u(i + 1)] = origin[u(origin_at + i + 1)] + weight * rows[u(row + i + 1)]
+        trial[u(i + 2)] = origin[u(origin_at + i + 2)] + weight * rows[u(row + i + 2)]
+        trial[u(i + 3)] = origin[u(origin_at + i + 3)] + weight * rows[u(row + i + 3)]
         i += 4
 
 
 @inlined
 def gather(work: Work, states: int, h: float, row: int, count: int) -> None:
     """Set base = x + h * (the first `count` derivatives, weighted by the row of the scheme)."""
-    floats, x, rows = work.floats, work.x, work.rows
+    rows = work.rows
+    first, apart = row_of(0, states), u(states)
     i = 0
     while i < work.ints[u(STATES)]:
-        s0 = s1 = s2 = s3 = 0.0
-        at = row_of(0, states) + i
-        for j in range(count):
-            weight = floats[u(row + j)]
-            s0 += weight * rows[u(at)]
-            s1 += weight * rows[u(at + 1)]
-            s2 += weight * rows[u(at + 2)]
-            s3 += weight * rows[u(at + 3)]
-            at += states
-        base = BASE_AT + i
-        rows[u(base)] = x[u(i)] + h * s0
-        rows[u(base + 1)] = x[u(i + 1)] + h * s1
-        rows[u(base + 2)] = x[u(i + 2)] + h * s2
-        rows[u(base + 3)] = x[u(i + 3)] + h * s3
+        base = u(BASE_AT + i)
+        combine_four(rows, base, work.floats, u(row), rows, u(first + i), apart, u(count))
+        shift_four(rows, base, work.x, u(i), h, rows, base)
         i += 4
 
 
@@ -65,26 +76,24 @@ def gather(work: Work, states: int, h: float, row: int, count: int) -> None:
 def attempt(plant: Plant, work: Work, t: float, h: float) -> None:
     """Fill `trial` with the solution a step h after x; the row of derivative 0 is that at x.
 
-    For a scheme with step control dx and the row of the last derivative are
-    left as the derivative at the solution.
+    For a scheme with step control the row of the last derivative is left as
+    that at the solution.
     """
     ints, floats = work.ints, work.floats
     stages, states = ints[u(STAGES)], ints[u(STATES)]
     nodes = ints[u(SCHEME_AT)]
     adaptive = ints[u(ADAPTIVE)] == 1
     row = nodes + stages + 1
-    shift(work, work.x, 0, h * floats[u(row)], work.rows, row_of(0, states))
+    shift(work, work.x, 0, h * floats[u(row)], 0)
     for stage in range(1, stages + 1):
         row += stage
         if stage < stages:
             # All of the next point but the derivative to come: work that need not wait for it.
             gather(work, states, h, row, stage)
         if stage < stages or adaptive:
-            at = t + floats[u(nodes + stage)] * h
-            plant.dynamics(at, work.trial, work.held, work.p, work.progress[u(MODE)], work.dx)
-            keep(work, states, stage)
+            derive(plant, work, t + floats[u(nodes + stage)] * h, work.trial, stage)
         if stage < stages:
-            shift(work, work.rows, BASE_AT, h * floats[u(row + stage)], work.dx, 0)
+            shift(work, work.rows, BASE_AT, h * floats[u(row + stage)], stage)
 
 
 @flat
@@ -109,25 +118,15 @@ def error_of(work: Work, h: float) -> float:
     stages, states, scales = ints[u(STAGES)], ints[u(STATES)], ints[u(SCALES_AT)]
     weights = ints[u(SCHEME_AT)] + (stages + 1) + stages * (stages + 1) // 2
     rtol = floats[u(ints[u(STEP_AT)] + RTOL)]
-    worst = 0.0
+    first, apart = row_of(0, states), u(states)
     i = 0
-    while i < work.ints[u(STATES)]:
-        e0 = e1 = e2 = e3 = 0.0
-        at = row_of(0, states) + i
-        for j in range(stages + 1):
-            weight = floats[u(weights + j)]
-            e0 += weight * rows[u(at)]
-            e1 += weight * rows[u(at + 1)]
-            e2 += weight * rows[u(at + 2)]
-            e3 += weight * rows[u(at + 3)]
-            at += states
-        s = scales + i
-        e0 = fabs(h * e0) / (rtol * (floats[u(s)] + max(fabs(x[u(i)]), fabs(trial[u(i)]))))
-        e1 = fabs(h * e1) / (rtol * (floats[u(s + 1)] + max(fabs(x[u(i + 1)]), fabs(trial[u(i + 1)]))))
-        e2 = fabs(h * e2) / (rtol * (floats[u(s + 2)] + max(fabs(x[u(i + 2)]), fabs(trial[u(i + 2)]))))
-        e3 = fabs(h * e3) / (rtol * (floats[u(s + 3)] + max(fabs(x[u(i + 3)]), fabs(trial[u(i + 3)]))))
-        worst = greater(greater(worst, e0), greater(e1, greater(e2, e3)))
+    while i < ints[u(STATES)]:  # into the base: it is free, since the next point is ready
+        combine_four(rows, u(BASE_AT + i), floats, u(weights), rows, u(first + i), apart, u(stages + 1))
         i += 4
+    worst = 0.0
+    for state in range(ints[u(TRUE_STATES)]):
+        size = floats[u(scales + state)] + max(fabs(x[u(state)]), fabs(trial[u(state)]))
+        worst = greater(worst, fabs(h * rows[u(BASE_AT + state)]) / (rtol * size))
     return inf if isnan(worst) else worst
 
 

@@ -13,9 +13,10 @@ from fcl_sim.loop.blocks import OPCODES
 from fcl_sim.loop.blocks.fuzzy import fuzzy_for
 from fcl_sim.loop.clock import Schedule, most_under_way, schedule
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
-from fcl_sim.loop.execute import further_for
+from fcl_sim.loop.execute import JOINT_OPCODE, further_for
 from fcl_sim.loop.integer import IntegerBlock
 from fcl_sim.loop.node_layout import NodeLayout, Outside, lay_out, outside_of
+from fcl_sim.loop.recorded import Recorded, recorded
 from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.loop.settings import signals_of
 from fcl_sim.loop.wiring import Wiring
@@ -31,12 +32,11 @@ LANES = 4
 class Tape:
     """A wiring as buffers. `ints` and `floats` are read, `memory` and `x` worked in, by a run.
 
-    `slots` says where each signal stands in memory; `segments` which stretches
-    of memory (first slot, length) make the columns of the record; `instances`
-    where the memory of each fuzzy block begins, `own` which stretch is each block's
-    own. `further` executes the rows that the loop does not, `fuzzy` the fuzzy
-    blocks in LREAL, and those in REAL; `outside` are the blocks in Python, and the
-    fuzzy ones in INT.
+    `slots` says where each signal stands in memory; `recorded` which stretches
+    of it make the columns of the record; `instances` where the memory of each
+    fuzzy block begins, `own` which stretch is each block's own. `further` executes
+    the rows that the loop does not, `fuzzy` the fuzzy blocks in LREAL, and those in
+    REAL; `outside` are the blocks in Python, and the fuzzy ones in INT.
     """
 
     wiring: Wiring
@@ -47,7 +47,7 @@ class Tape:
     p: Floats
     schedule: Schedule
     slots: Mapping[str, int]
-    segments: tuple[tuple[int, int], ...]
+    recorded: Recorded
     instances: Mapping[str, int]
     own: Mapping[str, tuple[int, int]]
     further: Entry
@@ -58,15 +58,6 @@ class Tape:
     def starts(self) -> Ints:
         """Nanosecond at which each scan reads its inputs, (scans + 1,), the end included."""
         return self.schedule.starts
-
-    def column(self, slot: int) -> int:
-        """Return the column of the record that holds memory slot `slot`; ValueError if none does."""
-        column = 0
-        for first, length in self.segments:
-            if first <= slot < first + length:
-                return column + slot - first
-            column += length
-        raise ValueError(f"slot {slot} is not recorded")
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,11 +91,11 @@ def lower(wiring: Wiring, run: int = 0, forced: Mapping[str, float] = NOTHING_FO
     rows = _row_words(wiring, memory, layouts, ints, floats, forced)
     head |= rows.head | _keep_words(layouts, memory, ints, floats)
     head |= _write_words(wiring, memory, ints, floats, forced)
-    segments = _segments(diagram, memory)
+    columns = recorded(wiring, memory.slots, memory.instances, memory.signals)
     head |= {
         layout.SIGNALS: memory.signals,
-        layout.SEGMENTS: len(segments),
-        layout.SEGMENTS_AT: ints.append([word for segment in segments for word in segment]),
+        layout.SEGMENTS: len(columns.segments),
+        layout.SEGMENTS_AT: ints.append([word for segment in columns.segments for word in segment]),
     }
     buffer = ints.integers()
     for word, value in head.items():
@@ -121,12 +112,16 @@ def lower(wiring: Wiring, run: int = 0, forced: Mapping[str, float] = NOTHING_FO
         p=_parameters(diagram.plant),
         schedule=times,
         slots=memory.slots,
-        segments=segments,
+        recorded=columns,
         instances=memory.instances,
         own=memory.own,
         further=further_for(rows.opcodes),
         fuzzy=fuzzy_for(
-            {(node.arithmetic, node.program.curved) for node in wiring.order if isinstance(node, FuzzyNode)}
+            {
+                (node.arithmetic, node.program.form)
+                for node in wiring.order
+                if isinstance(node, FuzzyNode) and _fuzzy_opcode(node) != JOINT_OPCODE
+            }
         ),
         outside=rows.outside,
     )
@@ -277,7 +272,7 @@ def _row_words(
     opcodes += _forcing_rows(_outputs(wiring.diagram.plant), forced, memory, ints, floats)
     for node in wiring.order:
         if isinstance(node, FuzzyNode):
-            opcode, state = OPCODES["fuzzy"], memory.instances[node.name]
+            opcode, state = _fuzzy_opcode(node), memory.instances[node.name]
             wires = [wiring.resolve(node.inputs[port]) for port in node.block.program.input_names]
             inputs = [memory.slots[each.source] for each in wires]
             words: Sequence[int] = [programs.get(id(node.program), -1), -1, -1]
@@ -301,6 +296,11 @@ def _row_words(
         opcodes += _forcing_rows(signals_of(node), forced, memory, ints, floats)
     head = {layout.ROWS: len(opcodes), layout.ROWS_AT: rows_at, layout.ROWS_END: len(ints)}
     return _Rows(head, opcodes, outside, singles)
+
+
+def _fuzzy_opcode(node: FuzzyNode) -> int:
+    by_itself = node.program.form == "joint" and not node.in_real and not node.in_int
+    return JOINT_OPCODE if by_itself else OPCODES["fuzzy"]
 
 
 def _forcing_rows(
@@ -344,12 +344,6 @@ def _write_words(
         layout.WRITES_AT: ints.append([memory.slots[each.source] for each in wires]),
         layout.WRITE_SIGNS_AT: floats.append([each.sign for each in wires]),
     }
-
-
-def _segments(diagram: Diagram, memory: _Memory) -> tuple[tuple[int, int], ...]:
-    blocks = {node.name: node.block for node in diagram.nodes if isinstance(node, FuzzyNode)}
-    fuzzy = [(at, blocks[name].program.recorded) for name, at in memory.instances.items()]
-    return ((0, memory.signals), *fuzzy)
 
 
 def _initial_memory(

@@ -72,7 +72,7 @@ class Incident:
 class Trace:
     """Samples of one run, at its scans, the end included.
 
-    `ticks` (n,) nanoseconds; `values` (n, signals) in the order of `names`;
+    `ticks` (n,) nanoseconds; `values` (n, signals) in the order of `names`, of a run a part of its record;
     `units` the unit of each signal. `fault` is set when the run ended early;
     the samples up to there are kept. `events` are what blocks reported, in the order of time,
     `incidents` the restarts and overruns of the PLC. `constants` are numbers that have a

@@ -70,7 +70,8 @@ def counted(loop: Diagram) -> dict[str, Any]:
         for name, each in list(vars(module).items()):
             if callable(each) and each in kernels:
                 setattr(module, name, counting(each, lambda row: f"row {row.at}"))
-    fuzzy.infer = counting(fuzzy.infer, lambda *arguments: f"instance {arguments[-1]}")
+    for name in ("infer", "infer_jointly"):
+        setattr(fuzzy, name, counting(getattr(fuzzy, name), lambda *arguments: f"instance {arguments[-1]}"))
     trace = run(loop)
     own = next(name for name in trace.names if name.partition(".")[0] == "own")
     found["own"] = int(trace[own][-1])

@@ -46,7 +46,7 @@ def test_a_tape_shows_where_every_signal_and_every_row_stands():
     tape = lower(wiring())
     text = tape_text(tape)
     for name, slot in tape.slots.items():
-        assert f"  m{slot:<4} {name}, recorded in column {tape.column(slot)}\n" in text
+        assert f"  m{slot:<4} {name}, recorded in column {tape.recorded.column(slot)}\n" in text
     assert "controller.predicted <- sum(crane.distance, controller.speed)" in text
     assert text.count("parameters at f") == int(tape.ints[layout.ROWS])
 

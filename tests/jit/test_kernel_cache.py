@@ -1,4 +1,4 @@
-"""The cache of machine code, on a package of two kernels in two files with our own jit.py."""
+"""The cache of machine code, on a package of two kernels in two files with our own room jit."""
 
 import os
 import shutil
@@ -46,8 +46,8 @@ def package(tmp_path):
         (folder / room).mkdir(parents=True)
         (folder / room / "__init__.py").touch()
     (folder / "__init__.py").touch()
-    for file in ("jit.py", "kernel_cache.py"):
-        shutil.copy(PACKAGE / file, folder)
+    shutil.copytree(PACKAGE / "jit", folder / "jit", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copy(PACKAGE / "kernel_cache.py", folder)
     (folder / "arithmetic" / "inner.py").write_text(INNER)
     (folder / "engine" / "outer.py").write_text(OUTER)
     return folder

@@ -1,0 +1,55 @@
+"""`kernel` and `entry`: Python that becomes machine code. The only room that imports numba.
+
+In: functions in numba's subset of Python, and signatures. Out: kernels that
+other kernels call, entries that Python calls; with `NUMBA_DISABLE_JIT=1` the
+same text runs uncompiled. May import kernel_cache. Tests: tests/jit.
+"""
+
+from fcl_sim.jit.kernels import Entry, apart, entry, flat, inlined, kernel, rounded
+from fcl_sim.jit.signatures import (
+    F4,
+    FF,
+    F,
+    I,
+    compiled,
+    f8,
+    function_type,
+    i8,
+    links_type,
+    new_links,
+    signature,
+    u,
+    void,
+)
+from fcl_sim.jit.singles import CompileError
+from fcl_sim.jit.vectors import clear_eight, combine_four, copy_four, shift_four, stretch, two_ramps
+
+__all__ = [
+    "F4",
+    "FF",
+    "CompileError",
+    "Entry",
+    "F",
+    "I",
+    "apart",
+    "clear_eight",
+    "combine_four",
+    "compiled",
+    "copy_four",
+    "entry",
+    "f8",
+    "flat",
+    "function_type",
+    "i8",
+    "inlined",
+    "kernel",
+    "links_type",
+    "new_links",
+    "rounded",
+    "shift_four",
+    "signature",
+    "stretch",
+    "two_ramps",
+    "u",
+    "void",
+]
