@@ -21,7 +21,7 @@ from fcl_sim.verify.setting import setting_of
 RELATIVE = 1e-3
 """Part of a figure by which it may change, unless somebody says otherwise."""
 OF_SPAN = 1e-4
-"""Part of the span of its signal by which a figure may change besides."""
+"""Part of the span of its signal, or of its bound, by which a figure may change besides."""
 THINNED, ABSOLUTE = 2e-3, 3e-3
 """Parts of its span by which a thinned signal may be off its samples, and another run off it."""
 
@@ -187,7 +187,9 @@ def _step(trace: Trace, asked: Requirement, scan: float) -> float:
     rule = metric.unit
     if rule.signal == 0 and rule.time == 1:
         return scan
-    return even(OF_SPAN * _span(trace[asked.signal]) ** rule.signal * scan**rule.time)
+    own = _span(trace[asked.signal]) ** rule.signal * scan**rule.time
+    bound = max(abs(each) for each in (asked.minimum, asked.maximum, 0.0) if each is not None)
+    return even(OF_SPAN * max(own, bound))  # what is a trifle beside its bound may be mere rounding
 
 
 def _signal(trace: Trace, name: str, scan: int, former: SignalReference | None) -> SignalReference:

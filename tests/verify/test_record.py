@@ -65,6 +65,15 @@ def test_tolerances_are_those_of_the_former_baseline(outcome):
     assert second.metrics[1] == first.metrics[1]
 
 
+def test_a_figure_that_is_a_trifle_beside_its_bound_may_change_by_a_part_of_the_bound(outcome):
+    run = outcome.base
+    (verdict,) = (each for each in run.verdicts if each.requirement.metric == "peak")
+    still = replace(run.trace, values=run.trace.values * 1e-18)
+    loose = replace(verdict, requirement=replace(verdict.requirement, maximum=20.0))
+    kept = record(ACCEPTED, run.diagram, still, [loose])
+    assert kept.metrics[0].absolute == pytest.approx(2e-3)
+
+
 def test_the_rule_base_reads_back_as_the_one_that_ran(outcome):
     (kept,) = recorded(outcome.base).rule_bases
     (node,) = (each for each in outcome.base.diagram.nodes if isinstance(each, FuzzyNode))
