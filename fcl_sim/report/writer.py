@@ -8,11 +8,11 @@ from functools import partial
 from pathlib import Path
 
 from fcl_sim.diagnostics import InputFault
+from fcl_sim.forked import Task, do_all
 from fcl_sim.report import alone, archive, results, typeset
 from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
-from fcl_sim.report.forked import Task, do_all
 from fcl_sim.report.gather import gathered
 from fcl_sim.report.html import page
 from fcl_sim.report.pictures import Picture
