@@ -4,11 +4,13 @@ import errno
 import json
 import re
 from collections.abc import Callable, Sequence
+from contextlib import closing
 from functools import partial
 from pathlib import Path
+from shutil import copyfile
 
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.forked import Task, do_all
+from fcl_sim.forked import Copies, do_all
 from fcl_sim.report import alone, archive, results, typeset
 from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
@@ -60,6 +62,7 @@ def write_stored(  # noqa: PLR0913  a choice each
     pages: bool = False,
     html: bool = False,
     lap: Lap | None = None,
+    source: Path | None = None,
 ) -> list[Path]:
     """Write the report of a run into `folder`; return its files, the PDF first.
 
@@ -69,19 +72,18 @@ def write_stored(  # noqa: PLR0913  a choice each
     their number. With `png` each picture is written as one, too, with `pages`
     each page, with `html` the page for a browser is; without, one that a report
     before has left under its name is removed, as it would show another run.
+    `source` is the results file that all of `stored` was read from, where it was.
     InputFault where the system refuses.
     """
     done = lap or _silent
     try:
-        with workplace(folder) as work:
+        with workplace(folder) as work, closing(Copies(1)) as copies:
             shelf = Shelf()
+            beside = copies.begin(partial(_write_beside, stored, work, source, html=html))
             data = report_data(stored, shelf.add)
-            said = results.text(stored.outcomes, stored.covered)
-            (work / RESULTS).write_text(said, encoding="utf-8")
             (work / DATA).write_text(json.dumps(data), encoding="utf-8")
-            tasks = [partial(archive.write, stored, said, work / STORED)]
-            tasks += [partial(_write_page, stored, work / HTML)] if html else []
-            shelf.draw(work, progress or _silent, tasks)
+            shelf.draw(work, progress or _silent)
+            copies.result(beside)
             done("drawing")
             (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
             names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
@@ -117,8 +119,17 @@ def write_alone(file: Path, folder: Path, *, png: bool = False, pages: bool = Fa
         raise refused(error, folder) from error
 
 
-def _write_page(stored: Stored, file: Path) -> None:
-    file.write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
+def _write_beside(stored: Stored, work: Path, source: Path | None, *, html: bool) -> None:
+    """Write all that is not drawn: the results, what is stored of them, the page where it is asked for."""
+    if source is None:
+        said = results.text(stored.outcomes, stored.covered)
+        (work / RESULTS).write_text(said, encoding="utf-8")
+        archive.write(stored, said, work / STORED)
+    else:
+        copyfile(source, work / RESULTS)
+        copyfile(archive.beside(source), work / STORED)
+    if html:
+        (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
 
 
 def _draw(picture: Picture, file: Path) -> None:
@@ -164,13 +175,12 @@ class Shelf:
         """Names of the pictures' files as PNG."""
         return [f"{name}.png" for name in self._pictures]
 
-    def draw(self, work: Path, progress: Progress, others: Sequence[Task] = ()) -> None:
-        """Draw every picture into `work` as SVG, and do other tasks beside that."""
+    def draw(self, work: Path, progress: Progress) -> None:
+        """Draw every picture into `work` as SVG."""
         files = {name: work / f"{name}.svg" for name in self._pictures}
         for folder in {file.parent for file in files.values()}:
             folder.mkdir(parents=True, exist_ok=True)
-        tasks: list[Task] = [*others]
-        tasks += [partial(_draw, picture, files[name]) for name, picture in self._pictures.items()]
+        tasks = [partial(_draw, picture, files[name]) for name, picture in self._pictures.items()]
         do_all(tasks, lambda done: progress(done, len(tasks)))
 
     def export(self, work: Path) -> list[str]:
