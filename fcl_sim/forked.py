@@ -1,7 +1,7 @@
 """Work for all processors, by processes that begin as copies of this one.
 
 In: tasks. Out: the files that they write (`do_all`), or what they come to,
-sent back (`Copies`). A process runs Python in one thread at a time. A copy
+sent back (`results`, `Copies`). A process runs Python in one thread at a time. A copy
 knows what this process knows, and need not be told. Only Linux is trusted with
 copies of a process that has called system libraries; elsewhere, and where a
 copy fails, this process does the work itself. Imports nothing of ours.
@@ -19,6 +19,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import accumulate
 from types import MappingProxyType
 from typing import Any, Generic, TypeVar
@@ -183,6 +184,24 @@ class Copies:
             heaviest = max(self._waiting, key=lambda each: each.weight)
             self._waiting.remove(heaviest)
             self._under_way.append(_started(heaviest))
+
+
+def results(tasks: Sequence[Callable[[], Value]], workers: int | None = None) -> list[Value]:
+    """Return what each task comes to, in their order: data. Each process does a part of them."""
+    count = min(able(workers), len(tasks))
+    if count < 2:
+        return [task() for task in tasks]
+
+    def share(first: int) -> list[Value]:
+        return [task() for task in tasks[first::count]]
+
+    copies = Copies(count - 1)
+    try:
+        works = [copies.begin(partial(share, first)) for first in range(1, count)]
+        shares = [share(0), *map(copies.result, works)]
+    finally:
+        copies.close()
+    return [shares[number % count][number // count] for number in range(len(tasks))]
 
 
 def _started(work: Work[Any]) -> _Under:

@@ -10,7 +10,7 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
-from fcl_sim.forked import Copies, do_all
+from fcl_sim.forked import Copies, do_all, results
 
 HERE = os.getpid()
 
@@ -103,6 +103,14 @@ def test_what_copies_come_to_is_sent_back_whichever_is_done_first(two):
     found = [two.result(work) for work in works]
     assert [number for number, _ in found] == [*range(9)]
     assert len({process for _, process in found} - {HERE}) == 9
+
+
+@pytest.mark.parametrize("workers", [1, 2, 3])
+@pytest.mark.parametrize("count", [0, 1, 2, 7])
+def test_results_stand_in_the_order_of_their_tasks(workers, count):
+    assert results([partial(pow, number, 2) for number in range(count)], workers) == [
+        number**2 for number in range(count)
+    ]
 
 
 @copied
