@@ -32,7 +32,7 @@ def command(
     into a folder in there. The report of FILE.fcl is FILE.pdf in reports/: terms, rules, characteristic,
     findings.
     """
-    watch = Stopwatch()
+    watch = Stopwatch(click.get_current_context().obj)
     if file.suffix.lower() == RULE_BASE:
         if scenarios:
             raise click.UsageError("a rule base has no scenarios; name a RESULTS.json to choose some of its")
