@@ -124,6 +124,7 @@ class Work(Generic[Value]):
     weight: float
     known: Sequence[object]
     answer: list[Value] = field(default_factory=list)
+    is_open: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,9 +158,9 @@ class Copies:
         """Return what comes of some work, once it has; where its copy fails it is done here."""
         if not self._count:
             return work.task()
-        while not work.answer:
+        while work.is_open:
             self._look(None)
-        return work.answer.pop()
+        return work.answer.pop() if work.answer else work.task()
 
     def close(self) -> None:
         """End what is under way."""
@@ -176,7 +177,8 @@ class Copies:
         ended, _, _ = select.select(pipes, [], [], seconds)
         for each in [each for each in self._under_way if each.pipe in ended]:
             self._under_way.remove(each)
-            each.work.answer.append(_answer(each))
+            each.work.answer += _answer(each)
+            each.work.is_open = False
         self._start()
 
     def _start(self) -> None:
@@ -212,12 +214,11 @@ def _started(work: Work[Any]) -> _Under:
     return _Under(work, copy, pipe, file)
 
 
-def _answer(under: _Under) -> Any:
+def _answer(under: _Under) -> list[Any]:
+    """Return what a copy has sent back; nothing where it failed."""
     _, status = os.waitpid(under.copy, 0)
     try:
-        if os.waitstatus_to_exitcode(status):
-            return under.work.task()
-        return _received(under.work.known, under.file)
+        return [] if os.waitstatus_to_exitcode(status) else [_received(under.work.known, under.file)]
     finally:
         os.close(under.pipe)
         os.close(under.file)

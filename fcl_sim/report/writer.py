@@ -77,16 +77,20 @@ def write_stored(  # noqa: PLR0913  a choice each
     """
     done = lap or _silent
     try:
-        with workplace(folder) as work, closing(Copies(1)) as copies:
+        with workplace(folder) as work, closing(Copies(2)) as copies:
             shelf = Shelf()
-            beside = copies.begin(partial(_write_beside, stored, work, source, html=html))
+            told = copies.begin(partial(_write_results, stored, work, source))
+            beside = [copies.begin(partial(_write_page, stored, work))] if html else []
             data = report_data(stored, shelf.add)
             (work / DATA).write_text(json.dumps(data), encoding="utf-8")
+            copies.result(told)
+            beside.append(copies.begin(partial(_write_archive, stored, work, source)))
             shelf.draw(work, progress or _silent)
-            copies.result(beside)
             done("drawing")
             (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
             names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
+            for each in beside:
+                copies.result(each)
             done("typesetting")
             named = [HTML] if html else []
             moved = _move(work, folder, [*names, STORED, RESULTS, *named, PDF])[::-1]
@@ -119,17 +123,23 @@ def write_alone(file: Path, folder: Path, *, png: bool = False, pages: bool = Fa
         raise refused(error, folder) from error
 
 
-def _write_beside(stored: Stored, work: Path, source: Path | None, *, html: bool) -> None:
-    """Write all that is not drawn: the results, what is stored of them, the page where it is asked for."""
+def _write_results(stored: Stored, work: Path, source: Path | None) -> None:
     if source is None:
-        said = results.text(stored.outcomes, stored.covered)
-        (work / RESULTS).write_text(said, encoding="utf-8")
-        archive.write(stored, said, work / STORED)
+        (work / RESULTS).write_text(results.text(stored.outcomes, stored.covered), encoding="utf-8")
     else:
         copyfile(source, work / RESULTS)
+
+
+def _write_archive(stored: Stored, work: Path, source: Path | None) -> None:
+    """Write what is stored beside the results, which are there."""
+    if source is None:
+        archive.write(stored, (work / RESULTS).read_text(encoding="utf-8"), work / STORED)
+    else:
         copyfile(archive.beside(source), work / STORED)
-    if html:
-        (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
+
+
+def _write_page(stored: Stored, work: Path) -> None:
+    (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
 
 
 def _draw(picture: Picture, file: Path) -> None:
