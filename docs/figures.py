@@ -19,7 +19,7 @@ IMAGES = "images/report"
 
 def images() -> dict[str, str]:
     """Return the figures by their path below docs/."""
-    return {f"{IMAGES}/{name}.svg": svg(each.draw()).decode() for name, each in _pictures()}
+    return {f"{IMAGES}/{name}.svg": svg(each.draw(), alone=True).decode() for name, each in _pictures()}
 
 
 def _pictures() -> Iterator[tuple[str, Picture]]:

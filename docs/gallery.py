@@ -172,7 +172,7 @@ def curves() -> bytes:
         draw_frame(axes, ticks(*LIMITS, 4), ticks(*RANGE, 4), ("e", ""))
         axes.add(Text(0.0, 1.0, title, shift=(0.0, 4.6), parts=True))
         _draw_curves(axes, texts)
-    return svg(figure)
+    return svg(figure, alone=True)
 
 
 def _draw_curves(axes: Axes, texts: Curves) -> None:
@@ -212,7 +212,7 @@ def surfaces() -> bytes:
         axes = figure.place(column * (wide + GAP), row * (high + TITLE) + 6.0, wide, high, title)
         axes.add(Text(0.0, 1.0, title, shift=(0.0, 1.0), parts=True))
         draw_relief(axes, _relief(loads(text)), RANGE)
-    return svg(figure)
+    return svg(figure, alone=True)
 
 
 def _relief(block: Block) -> Relief:

@@ -32,7 +32,7 @@ def command(
     into a folder in there. The report of FILE.fcl is FILE.pdf in reports/: terms, rules, characteristic,
     findings.
     """
-    watch = Stopwatch()
+    watch = Stopwatch(click.get_current_context().obj)
     if file.suffix.lower() == RULE_BASE:
         if scenarios:
             raise click.UsageError("a rule base has no scenarios; name a RESULTS.json to choose some of its")
@@ -51,10 +51,11 @@ def _of_results(
 ) -> list[Path]:
     stored = archive.chosen(archive.read(file), scenarios)
     asked = date_asked()
+    source = None if scenarios or asked else file
     if asked is not None:
         stored = replace(stored, origin=replace(stored.origin, date=asked))
     watch.lap("reading")
     part = ["-".join(map(writer.slug, scenarios))] if scenarios else []
     folder = reports or file.parent.joinpath(*part)
     with progress("writing reports") as advance:
-        return writer.write_stored(stored, folder, advance, lap=watch.lap, **also)
+        return writer.write_stored(stored, folder, advance, lap=watch.lap, source=source, **also)

@@ -134,7 +134,7 @@ def command(  # noqa: PLR0913  an option each
     trace = targets.pop("trace")
     outputs = Outputs.of(targets, form)
     as_json = form == "json"
-    watch = Stopwatch()
+    watch = Stopwatch(click.get_current_context().obj)
     outcomes, faults = _simulate(files, overrides, watch)
     if older is not None and not faults:
         outcomes = against(outcomes, older)

@@ -7,11 +7,16 @@ TENTH = 0.05
 
 
 class Stopwatch:
-    """Counts the seconds since it was made, under the names of what was done."""
+    """Counts the seconds since it was made, under the names of what was done.
 
-    def __init__(self) -> None:
-        self._begun = self._last = perf_counter()
+    Where it is told when the command was called, what went before is `starting`.
+    """
+
+    def __init__(self, called: float | None = None) -> None:
+        self._begun = self._last = perf_counter() if called is None else called
         self._spent: dict[str, float] = {}
+        if called is not None:
+            self.lap("starting")
 
     def lap(self, what: str) -> None:
         """Count the time since the last lap as that of `what`."""

@@ -1,6 +1,6 @@
 """Frozen dataclasses ↔ JSON and arrays: any noun of ours as data, without a class of its own for it.
 
-What is shared stays shared, and every number comes back bit for bit. A noun is
+What is equal is written once, and every number comes back bit for bit. A noun is
 named by its module and class, and only what the program itself has loaded is
 made again: a file cannot name anything else. What is compiled is left out: a
 Block is made anew of its function block, and a plant comes back without its
@@ -95,6 +95,7 @@ class _Writer:
         self.nouns: list[tuple[str, list[Any]]] = []
         self.columns = _Columns()
         self._known: dict[int, Json] = {}
+        self._numbers: dict[tuple[str, str], int] = {}
         self._kept: list[Any] = []
         """What is known by its identity must live as long as that is looked up."""
 
@@ -134,8 +135,10 @@ class _Writer:
         parts = PARTS_OF.get(name, _values_by_field)(noun)
         self.classes[name] = [*parts]
         values = [self.value(each) for each in parts.values()]
-        self.nouns.append((name, values))
-        return {"noun": len(self.nouns) - 1}
+        number = self._numbers.setdefault((name, repr(values)), len(self.nouns))
+        if number == len(self.nouns):
+            self.nouns.append((name, values))
+        return {"noun": number}
 
 
 class _Reader:

@@ -1,11 +1,10 @@
 """The letters of figures: how wide a text is, and how it is broken or cut to fit."""
 
 from functools import cache, lru_cache
+from importlib.util import find_spec
 from pathlib import Path
 
-import matplotlib as mpl
-from matplotlib.ft2font import FT2Font, LoadFlags
-
+from fcl_sim.report import truetype
 from fcl_sim.report.style import NORMAL
 
 ASCENT, DESCENT = 0.76, 0.24
@@ -19,31 +18,27 @@ EM = 2048
 
 
 def fonts() -> Path:
-    """Return the folder of the fonts that figures are set in."""
-    return Path(mpl.get_data_path()) / "fonts" / "ttf"
+    """Return the folder of the fonts that figures are set in, matplotlib's, without loading that."""
+    found = find_spec("matplotlib")
+    if found is None or found.origin is None:
+        raise ModuleNotFoundError("matplotlib, which has the fonts of figures, is not installed")
+    return Path(found.origin).parent / "mpl-data" / "fonts" / "ttf"
 
 
 @cache
-def _font(*, bold: bool) -> FT2Font:
-    return FT2Font(str(fonts() / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")))
+def _font(*, bold: bool) -> truetype.Font:
+    return truetype.read(fonts() / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"))
 
 
 @lru_cache(maxsize=4096)
 def _advance(letter: str, *, bold: bool) -> float:
     """Return the width of a letter in parts of its size."""
-    font = _font(bold=bold)
-    glyph = font.get_char_index(ord(letter))  # 0, a box, where the font lacks it
-    return float(font.load_glyph(glyph, flags=LoadFlags.NO_SCALE).horiAdvance) / EM
-
-
-@cache
-def _letters() -> frozenset[int]:
-    return frozenset(_font(bold=False).get_charmap())
+    return _font(bold=bold).advance(letter) / EM
 
 
 def known(letter: str) -> bool:
     """Return whether the font of figures has a letter."""
-    return ord(letter) in _letters()
+    return ord(letter) in _font(bold=False).glyphs
 
 
 @lru_cache(maxsize=4096)

@@ -1,9 +1,10 @@
 """Figure → SVG whose text is text, the same bytes every time."""
 
 from base64 import b64encode
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import singledispatch
 from itertools import groupby
+from math import isfinite
 from xml.sax.saxutils import escape
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 
 from fcl_sim.loop.trace import Values
 from fcl_sim.report import style
-from fcl_sim.report.canvas import Axes, Dot, Figure, Image, Line, Mark, Shape, Text
+from fcl_sim.report.canvas import Axes, Dot, Figure, Image, Line, Mark, Series, Shape, Text
 from fcl_sim.report.lettering import ASCENT, CAPITALS, DESCENT, STEP, known, text_width
 
 UNIT = 100
@@ -28,7 +29,9 @@ HATCH = 1.25
 """Distance of the lines of a hatching along the axes, in mm."""
 
 ROUND = 'stroke-linecap="round" stroke-linejoin="round"'
-COMMON = f'font-family="{style.FONT}, Verdana, sans-serif" fill="none" {ROUND} xml:space="preserve"'
+COMMON = f'fill="none" {ROUND} xml:space="preserve"'
+ELSEWHERE = ", Verdana, sans-serif"
+"""What stands for our font where it is lacking."""
 
 RIM = 0.9
 """Width of the edge of a dot that is filled otherwise, in points."""
@@ -37,14 +40,15 @@ ANCHORS = {"left": "start", "center": "middle", "right": "end"}
 BEFORE = {"left": 0.0, "center": 0.5, "right": 1.0}
 
 
-def svg(figure: Figure) -> bytes:
-    """Return a figure as SVG."""
+def svg(figure: Figure, *, alone: bool = False) -> bytes:
+    """Return a figure as SVG; one that stands `alone` may be shown where our font is not."""
     marks = [each for axes in figure.axes for each in axes.marks]
     hatched = any(isinstance(each, Shape) and each.hatched for each in marks)
     width, height = _length(figure.width), _length(figure.height)
     size = f'width="{figure.width:.2f}mm" height="{figure.height:.2f}mm" viewBox="0 0 {width} {height}"'
+    families = style.FONT + (ELSEWHERE if alone else "")
     lines = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" {size} {COMMON}>',
+        f'<svg xmlns="http://www.w3.org/2000/svg" {size} font-family="{families}" {COMMON}>',
         _hatching() if hatched else "",
         f'<path d="M0 0H{width}V{height}H0Z" fill="{style.PAPER}"/>',
         *(line for index, axes in enumerate(figure.axes) for line in _axes(axes, f"a{index}")),
@@ -69,10 +73,15 @@ def _reaches_over(axes: Axes, mark: Mark) -> bool:
     if mark.free or not isinstance(mark, Line | Shape):
         return False
     for series, (low, high) in ((mark.x, axes.x), (mark.y, axes.y)):
-        values = np.asarray(series, dtype=np.float64)
         ends = (0.0, 1.0) if mark.parts else (min(low, high), max(low, high))
         hair = 1e-6 * (ends[1] - ends[0])
-        if ((values < ends[0] - hair) | (values > ends[1] + hair)).any():
+        least, most = ends[0] - hair, ends[1] + hair
+        if len(series) <= FEW:
+            if any(each < least or each > most for each in _numbers(series)):
+                return True
+            continue
+        values = np.asarray(series, dtype=np.float64)
+        if ((values < least) | (values > most)).any():
             return True
     return False
 
@@ -215,12 +224,19 @@ def _written(mark: Text, line: str, at: tuple[int, int], given: str) -> str:
     return f'<text x="{x}" y="{y}" {given}>{"".join(spans)}</text>'
 
 
+FEW = 8
+"""Points up to which a polyline is written number by number."""
+
 LONG = 12
 """Points from which on a polyline is written as steps."""
 
 
 def _path(axes: Axes, mark: Line | Shape, *, closed: bool = False) -> str:
     """Return the outline of a mark, without the points that nothing would be missed of."""
+    if len(mark.x) <= FEW:
+        few = [*zip(_numbers(mark.x), _numbers(mark.y), strict=True)]
+        if all(isfinite(x) and isfinite(y) for x, y in few):
+            return _path_of_few(axes, few, parts=mark.parts) + ("Z" if closed and few else "")
     x, y = (np.asarray(each, dtype=np.float64) for each in (mark.x, mark.y))
     points = _on_page(axes, x, y, parts=mark.parts)
     seen: NDArray[np.bool_] = np.asarray(np.isfinite(points).all(axis=1))
@@ -233,6 +249,31 @@ def _path(axes: Axes, mark: Line | Shape, *, closed: bool = False) -> str:
         piece = whole[start:end] if end - start < 3 else _bent(whole[start:end])
         pieces.append(_written_path(piece) + ("Z" if closed else ""))
     return "".join(pieces) if len(whole) else ""
+
+
+def _numbers(series: Series) -> list[float]:
+    return series.tolist() if isinstance(series, np.ndarray) else [float(each) for each in series]
+
+
+def _path_of_few(axes: Axes, given: Sequence[tuple[float, float]], *, parts: bool) -> str:
+    """Return the outline of a few points, as of many: arrays for them would take ten times as long."""
+    points = [_place(axes, x, y, parts=parts) for x, y in given]
+    apart = [each for number, each in enumerate(points) if not number or each != points[number - 1]]
+    if len(points) < 3:
+        kept = points
+    elif len(apart) < 3:
+        kept = apart if len(apart) > 1 else points[:2]
+    else:
+        threes = zip(apart[:-2], apart[1:-1], apart[2:], strict=True)
+        inner = [here for before, here, after in threes if _bends(before, here, after)]
+        kept = [apart[0], *inner, apart[-1]]
+    return f"M{' '.join(f'{x} {y}' for x, y in kept)}" if kept else ""
+
+
+def _bends(before: tuple[int, int], here: tuple[int, int], after: tuple[int, int]) -> bool:
+    x, y = here[0] - before[0], here[1] - before[1]
+    next_x, next_y = after[0] - here[0], after[1] - here[1]
+    return not (x * next_y == y * next_x and x * next_x + y * next_y > 0)
 
 
 def _written_path(points: NDArray[np.int64]) -> str:

@@ -4,15 +4,17 @@ import errno
 import json
 import re
 from collections.abc import Callable, Sequence
+from contextlib import closing
 from functools import partial
 from pathlib import Path
+from shutil import copyfile
 
 from fcl_sim.diagnostics import InputFault
+from fcl_sim.forked import Copies, do_all
 from fcl_sim.report import alone, archive, results, typeset
 from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
 from fcl_sim.report.exclusive import workplace
-from fcl_sim.report.forked import Task, do_all
 from fcl_sim.report.gather import gathered
 from fcl_sim.report.html import page
 from fcl_sim.report.pictures import Picture
@@ -60,6 +62,7 @@ def write_stored(  # noqa: PLR0913  a choice each
     pages: bool = False,
     html: bool = False,
     lap: Lap | None = None,
+    source: Path | None = None,
 ) -> list[Path]:
     """Write the report of a run into `folder`; return its files, the PDF first.
 
@@ -69,22 +72,25 @@ def write_stored(  # noqa: PLR0913  a choice each
     their number. With `png` each picture is written as one, too, with `pages`
     each page, with `html` the page for a browser is; without, one that a report
     before has left under its name is removed, as it would show another run.
+    `source` is the results file that all of `stored` was read from, where it was.
     InputFault where the system refuses.
     """
     done = lap or _silent
     try:
-        with workplace(folder) as work:
+        with workplace(folder) as work, closing(Copies(2)) as copies:
             shelf = Shelf()
+            told = copies.begin(partial(_write_results, stored, work, source))
+            beside = [copies.begin(partial(_write_page, stored, work))] if html else []
             data = report_data(stored, shelf.add)
-            said = results.text(stored.outcomes, stored.covered)
-            (work / RESULTS).write_text(said, encoding="utf-8")
             (work / DATA).write_text(json.dumps(data), encoding="utf-8")
-            tasks = [partial(archive.write, stored, said, work / STORED)]
-            tasks += [partial(_write_page, stored, work / HTML)] if html else []
-            shelf.draw(work, progress or _silent, tasks)
+            copies.result(told)
+            beside.append(copies.begin(partial(_write_archive, stored, work, source)))
+            shelf.draw(work, progress or _silent)
             done("drawing")
             (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
             names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
+            for each in beside:
+                copies.result(each)
             done("typesetting")
             named = [HTML] if html else []
             moved = _move(work, folder, [*names, STORED, RESULTS, *named, PDF])[::-1]
@@ -117,8 +123,23 @@ def write_alone(file: Path, folder: Path, *, png: bool = False, pages: bool = Fa
         raise refused(error, folder) from error
 
 
-def _write_page(stored: Stored, file: Path) -> None:
-    file.write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
+def _write_results(stored: Stored, work: Path, source: Path | None) -> None:
+    if source is None:
+        (work / RESULTS).write_text(results.text(stored.outcomes, stored.covered), encoding="utf-8")
+    else:
+        copyfile(source, work / RESULTS)
+
+
+def _write_archive(stored: Stored, work: Path, source: Path | None) -> None:
+    """Write what is stored beside the results, which are there."""
+    if source is None:
+        archive.write(stored, (work / RESULTS).read_text(encoding="utf-8"), work / STORED)
+    else:
+        copyfile(archive.beside(source), work / STORED)
+
+
+def _write_page(stored: Stored, work: Path) -> None:
+    (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
 
 
 def _draw(picture: Picture, file: Path) -> None:
@@ -164,13 +185,12 @@ class Shelf:
         """Names of the pictures' files as PNG."""
         return [f"{name}.png" for name in self._pictures]
 
-    def draw(self, work: Path, progress: Progress, others: Sequence[Task] = ()) -> None:
-        """Draw every picture into `work` as SVG, and do other tasks beside that."""
+    def draw(self, work: Path, progress: Progress) -> None:
+        """Draw every picture into `work` as SVG."""
         files = {name: work / f"{name}.svg" for name in self._pictures}
         for folder in {file.parent for file in files.values()}:
             folder.mkdir(parents=True, exist_ok=True)
-        tasks: list[Task] = [*others]
-        tasks += [partial(_draw, picture, files[name]) for name, picture in self._pictures.items()]
+        tasks = [partial(_draw, picture, files[name]) for name, picture in self._pictures.items()]
         do_all(tasks, lambda done: progress(done, len(tasks)))
 
     def export(self, work: Path) -> list[str]:

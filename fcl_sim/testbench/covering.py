@@ -1,9 +1,11 @@
 """How far runs have exercised their rule bases."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import partial
 from pathlib import Path
 
 from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.forked import results
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.scenario.document import shown
 from fcl_sim.testbench.outcome import Outcome
@@ -19,7 +21,7 @@ def coverage(outcomes: Iterable[Outcome], least: float = LEAST) -> tuple[Coverag
     `least` is the part of an output's range by which a decisive rule changes
     it. InputFault with every fault of the files of waivers.
     """
-    parts: dict[tuple[Path, str], list[Coverage]] = {}
+    visits: list[tuple[Path, Callable[[], Coverage]]] = []
     benches: dict[Path, Path] = {}
     for outcome in outcomes:
         for run in outcome.variants.values():
@@ -28,8 +30,10 @@ def coverage(outcomes: Iterable[Outcome], least: float = LEAST) -> tuple[Coverag
                 benches.setdefault(file, outcome.scenario.bench)
                 label = f"{outcome.scenario.name}/{run.variant}"
                 visit = Visit(run=label, ticks=run.trace.ticks, record=run.trace.fuzzy[node.name])
-                found = cover(of_node(node), visit, least, shown(file))
-                parts.setdefault((file, found.name), []).append(found)
+                visits.append((file, partial(cover, of_node(node), visit, least, shown(file))))
+    parts: dict[tuple[Path, str], list[Coverage]] = {}
+    for (file, _), found in zip(visits, results([each for _, each in visits]), strict=True):
+        parts.setdefault((file, found.name), []).append(found)
     faults: dict[Diagnostic, None] = {}
     waivers: dict[Path, tuple[Waiver, ...]] = {}
     for file, bench in benches.items():

@@ -1,6 +1,8 @@
 """The whole sequence: a scenario file comes out judged, every variant, with its numbers."""
 
 import math
+import os
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -183,7 +185,10 @@ def test_every_crane_of_the_field_parks_within_the_stall_law(transfer):
     assert np.all((law.values >= 0.0) & (law.values <= 0.505))
 
 
-def test_scenarios_side_by_side_come_to_the_same_as_one_after_the_other():
+@pytest.mark.parametrize("by", ["copies", "threads"])
+def test_scenarios_side_by_side_come_to_the_same_as_one_after_the_other(monkeypatch, by):
+    if by == "threads":
+        monkeypatch.setattr("fcl_sim.testbench.side_by_side.able", lambda _: 1)
     files = [CRANE / "transfer.toml", CRANE / "printed.toml", CRANE / "gust.toml"]
     short = {"duration": "5 s"}
     for file, outcome in zip(files, testbench.run_files(files, short, workers=3), strict=True):
@@ -214,7 +219,41 @@ def test_whoever_leaves_off_ends_the_runs_under_way(tmp_path, monkeypatch):
             raise
 
     monkeypatch.setattr("fcl_sim.testbench.side_by_side.run_together", watched)
+    monkeypatch.setattr("fcl_sim.testbench.side_by_side.able", lambda _: 1)
     found = testbench.run_files([tmp_path / "none.toml", CRANE / "gust.toml"], {"duration": "21600 s"})
     next(found)
     found.close()
     assert ended == ["halted"]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="run by threads")
+def test_whoever_leaves_off_ends_the_copies_that_run(tmp_path, monkeypatch):
+    copies, fork = [], os.fork
+
+    def noted():
+        copies.append(fork())
+        return copies[-1]
+
+    monkeypatch.setattr("fcl_sim.forked.os.fork", noted)
+    files = [tmp_path / "none.toml", CRANE / "gust.toml", CRANE / "gust.toml"]
+    found = testbench.run_files(files, {"duration": "21600 s"}, workers=2)
+    next(found)
+    found.close()
+    assert len(copies) == 2
+    for copy in copies:
+        with pytest.raises(ChildProcessError):
+            os.waitpid(copy, os.WNOHANG)
+
+
+def test_a_fault_that_a_run_comes_upon_stands_in_its_place(monkeypatch):
+    def refuse(*_):
+        raise InputFault.at_file("RUN101", "here", "this cannot be run", "try another")
+
+    monkeypatch.setattr("fcl_sim.testbench.side_by_side.run_together", refuse)
+    found = [*testbench.run_files([CRANE / "gust.toml"] * 2, {"duration": "5 s"}, workers=2)]
+    assert [[str(each) for each in fault.diagnostics] for fault in found] == 2 * [
+        [
+            str(each)
+            for each in InputFault.at_file("RUN101", "here", "this cannot be run", "try another").diagnostics
+        ]
+    ]
