@@ -11,13 +11,13 @@ from fcl_sim.judge.wording import relation
 from fcl_sim.loop.wiring import wire
 from fcl_sim.report import activation, baselines, beside, characteristics, pictures, summary
 from fcl_sim.report.archive import Stored
-from fcl_sim.report.constants import block_rows, plant_rows
+from fcl_sim.report.constant_rows import block_rows, plant_rows
 from fcl_sim.report.envelopes import envelope_pictures, envelope_rows, envelope_text
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.placed import Register, placed
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
 from fcl_sim.report.rule_bases import rule_base_data, rule_bases
-from fcl_sim.report.setting import differences, milliseconds
+from fcl_sim.report.setting import milliseconds, setup_of, unlike_base
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
 from fcl_sim.report.stills import stills_of
 from fcl_sim.report.story import story_data
@@ -127,7 +127,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
         "story": paragraphs(scenario.description),
         "facts": facts_of(outcome),
         "requirements": requirement_rows(runs),
-        "plant": plant_rows(outcome.base.diagram.plant),
+        "plant": plant_rows(outcome.base.diagram.plant, setup_of(outcome, outcome.base)),
         "blocks": block_rows(outcome.base.diagram),
         "sections": _sections(outcome, register),
     }
@@ -234,7 +234,7 @@ def run_title(outcome: Outcome, run: Run) -> str:
 def run_text(outcome: Outcome, run: Run) -> str:
     """Return what sets a run apart from the base run, what blocks reported, why it ended early if it did."""
     sentences = []
-    unlike = [] if run is outcome.base else differences(outcome.base.diagram, run.diagram)
+    unlike = [] if run is outcome.base else unlike_base(outcome, run)
     if unlike:
         sentences.append(f"Unlike the base run: {'; '.join(unlike)}.")
     for first, *more in run.trace.events_by_kind:

@@ -13,6 +13,9 @@ NO_BREAK = "\N{NO-BREAK SPACE}"
 
 EXPONENT = re.compile(r"e\+?(-?)0*")
 
+WRITTEN, COMPUTED = 12, 9
+"""A number of more digits than anybody writes was computed, and is told with so many."""
+
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
 """Characters that no page can show: a TOML key or an FCL comment may hold them."""
 
@@ -40,8 +43,11 @@ def with_unit(value: float, unit: str, digits: int = 4) -> str:
 
 
 def exactly(value: float, unit: str) -> str:
-    """Return a number that the user wrote with all its digits, and its unit."""
-    return _joined(printed(wording.exactly(value, "")), unit)
+    """Return a number that the user wrote with all its digits, and its unit; a computed one is rounded."""
+    digits = wording.exactly(value, "")
+    if sum(each.isdigit() for each in EXPONENT.split(digits)[0].lstrip("-0.")) > WRITTEN:
+        digits = wording.exactly(float(f"{value:.{COMPUTED}g}"), "")
+    return _joined(printed(digits), unit)
 
 
 def printed(digits: str) -> str:

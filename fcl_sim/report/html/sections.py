@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from typing import Any
 
 from fcl_sim.report import baselines, beside, summary
-from fcl_sim.report.constants import block_rows, plant_rows
+from fcl_sim.report.constant_rows import block_rows, plant_rows
 from fcl_sim.report.content import facts_of, paragraphs, requirement_rows, run_text, run_title
 from fcl_sim.report.coverage_matrix import matrix
 from fcl_sim.report.envelopes import envelope_rows, envelope_text
 from fcl_sim.report.html.markup import Child, Markup, element, joined
 from fcl_sim.report.rule_bases import Base
+from fcl_sim.report.setting import setup_of
 from fcl_sim.report.words import counted, one_line, plain
 from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.coverage import Coverage
@@ -204,7 +205,7 @@ def _constants(outcome: Outcome) -> Markup:
             row["source"],
             row["limits"],
         ]
-        for row in plant_rows(diagram.plant)
+        for row in plant_rows(diagram.plant, setup_of(outcome, outcome.base))
     ]
     blocks = [[row["name"], row["type"], "; ".join(row["given"]), row["left"]] for row in block_rows(diagram)]
     return joined(
