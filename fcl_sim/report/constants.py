@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from fcl_sim.formula.text import Text as Formula
 from fcl_sim.loop.blocks.declaration import BlockParameter
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.loop.settings import AnyNode, type_of
@@ -193,7 +194,7 @@ def told(value: Any) -> str:
         return f"[{', '.join(shown)}]"
     if isinstance(value, Mapping):
         return ", ".join(f"{one_line(str(name))}: {told(each)}" for name, each in value.items())
-    return one_line(str(value))
+    return one_line(value.text if isinstance(value, Formula) else str(value))
 
 
 def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:

@@ -141,7 +141,9 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
         ("Loop and plant", "", [wired(wire(outcome.base.diagram), outcome.scenario.title), *stills]),
         ("All runs", "", pictures.all_runs(outcome)),
     ]
-    parts += [(run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
+    for run in runs:
+        base = None if run is outcome.base else outcome.base
+        parts.append((run_title(outcome, run), run_text(outcome, run), pictures.over_time(run, base)))
     fires = [each for run in activation.first_users(runs) for each in activation.over_time(run)]
     parts.append(("Which rules fire when", "", fires))
     shown = _on_characteristic(runs)

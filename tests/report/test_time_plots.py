@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from fcl_sim.judge.verdict import Band, Corridor, Status
 from fcl_sim.report.bands import apart, focus_on
-from fcl_sim.report.canvas import Line, Shape
+from fcl_sim.report.canvas import Axes, Line, Shape
 from fcl_sim.report.pictures import over_time
-from fcl_sim.report.style import COLOURS, VIOLATION
+from fcl_sim.report.style import VIOLATION, stroke
 from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, of_formula, requirement, run, trace, verdict, verdicts
@@ -122,10 +122,23 @@ def test_a_violation_is_shaded_from_its_start_to_its_end():
     assert spans(figure(shown("settles")), VIOLATION) == []
 
 
-def test_of_several_runs_each_marks_its_violation_in_its_colour():
-    drawn = figure(shown("settles"), shown("swings", "raw"))
-    assert set(spans(drawn, COLOURS[1])) == {(35.0, 60.0)}
-    assert spans(drawn, COLOURS[0]) == []
+def strokes(figure) -> list[tuple[Axes, Line]]:
+    return [(axes, each) for axes in figure.axes for each in axes.of(Line) if each.label == "violation"]
+
+
+def test_of_several_runs_each_marks_its_violation_with_its_stroke():
+    drawn = strokes(figure(shown("settles"), shown("swings", "raw")))
+    assert {tuple(each.x) for _, each in drawn} == {(35.0, 60.0)}
+    assert {(each.colour, each.dashes) for _, each in drawn} == {stroke(1)}
+
+
+@pytest.mark.parametrize("count", [2, 5, 40])
+def test_marks_of_violations_never_cover_a_line(count):
+    drawn = strokes(figure(*(shown("swings", f"run {each}") for each in range(count))))
+    assert len({float(each.y[0]) for _, each in drawn}) == count
+    for axes, each in drawn:
+        lines = [line for line in axes.of(Line) if line.label == "run"]
+        assert max(np.max(line.y) for line in lines) < each.y[0] < axes.y[1]
 
 
 def test_a_violated_formula_is_shaded_in_all_of_its_signals():
