@@ -25,6 +25,9 @@ LABEL = 2.7
 ROW = 1.1
 """Height in mm of what marks the violations of a run among others."""
 
+SHORTEST, DASH = 0.7, 5.0
+"""Length in mm of the shortest stroke that is seen; one of fewer times that is solid."""
+
 MOST_STRIP = 0.3
 """The part of an axis that such rows take at most."""
 
@@ -129,5 +132,9 @@ def draw_strip(axes: Axes, found: Sequence[tuple[int, Sequence[Interval]]], part
     for row, (index, violations) in enumerate(found):
         colour, dashes = style.stroke(index)
         at = axes.part(1.0 - part * (row + 0.75) / (len(found) + 0.5))
+        least = SHORTEST / axes.width * (axes.x[1] - axes.x[0])
         for start, end in violations:
-            axes.add(Line([start, end], [at, at], colour, 1.3, dashes, z=4, label="violation"))
+            is_short = end - start < DASH * least
+            begin = min(start, axes.x[1] - least)
+            shown = [begin, max(end, begin + least)]
+            axes.add(Line(shown, [at, at], colour, 1.3, () if is_short else dashes, z=4, label="violation"))

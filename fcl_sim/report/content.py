@@ -292,7 +292,6 @@ def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
         "bound": bound(first.requirement),
         "definition": one_line(first.definition),
         "results": told,
-        "rows": 1 + len(told),
     }
 
 

@@ -1,6 +1,7 @@
 """The letters of figures: how wide a text is, and how it is broken or cut to fit."""
 
 from functools import cache, lru_cache
+from io import BytesIO
 from pathlib import Path
 
 import matplotlib as mpl
@@ -25,7 +26,9 @@ def fonts() -> Path:
 
 @cache
 def _font(*, bold: bool) -> FT2Font:
-    return FT2Font(str(fonts() / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")))
+    # From memory: copies of this process share the place in an open file, and would read each other's letters.
+    name = "DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"
+    return FT2Font(BytesIO((fonts() / name).read_bytes()))
 
 
 @lru_cache(maxsize=4096)

@@ -79,7 +79,7 @@ def over_time(run: Run, base: Run | None = None) -> list[Picture]:
 
 
 SAME = "As in the base run"
-LEFT = "Recorded, and asked by no requirement"
+LEFT = "Recorded and not drawn"
 
 MOST_NAMES = 8
 """Signals that a caption names; of more it gives the number."""

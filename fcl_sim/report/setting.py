@@ -1,6 +1,7 @@
 """How a run is set up, in words, and what sets it apart from another."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from pathlib import PurePath
 from typing import Any
 
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Overruns, PlantNode, Restart
@@ -170,7 +171,9 @@ def _rules(base: FuzzyNode, other: FuzzyNode) -> Iterator[str]:
     if mine == theirs:
         return
     old, new = (each.span.source.name if each.span else "" for each in (mine, theirs))
-    yield f"rule base {_changed(old, new)}" if old != new else "the rule base is another"
+    names = PurePath(old).name, PurePath(new).name
+    apart = names if names[0] != names[1] else (old, new)
+    yield f"rule base {_changed(*apart)}" if old != new else "the rule base is another"
 
 
 def _wires(base: Diagram, other: Diagram) -> Iterator[str]:

@@ -13,6 +13,9 @@ NO_BREAK = "\N{NO-BREAK SPACE}"
 
 EXPONENT = re.compile(r"e\+?(-?)0*")
 
+QUANTITY = re.compile(r"(?<![\w.-])(-?\d[\d.]*(?:e[+-]?\d+)?)( (?=[^\W\d]|[%°]))?")
+"""A number, and the blank before its unit."""
+
 WRITTEN, COMPUTED = 12, 9
 """A number of more digits than anybody writes was computed, and is told with so many."""
 
@@ -53,6 +56,11 @@ def exactly(value: float, unit: str) -> str:
 def printed(digits: str) -> str:
     """Return a number of Python's as it is printed: `1e-05` as `1e−5`."""
     return EXPONENT.sub(r"e\1", digits).replace("-", MINUS)
+
+
+def together(text: str) -> str:
+    """Return text whose numbers have a true minus sign and do not part from their units."""
+    return QUANTITY.sub(lambda found: printed(found[1]) + (NO_BREAK if found[2] else ""), text)
 
 
 def _joined(digits: str, unit: str) -> str:

@@ -16,6 +16,7 @@ from fcl_sim.report.words import (
     number,
     one_line,
     plain,
+    together,
     value,
     with_unit,
 )
@@ -53,6 +54,18 @@ def test_a_number_has_a_true_minus_sign_and_zero_has_none(x):
 )
 def test_numbers_that_are_special(x, text):
     assert number(x) == text
+
+
+@pytest.mark.parametrize(
+    ("written", "text"),
+    [
+        ("position = -40 m", "position = −40\N{NO-BREAK SPACE}m"),
+        ("load_mass = 10 t, x2 = 5, k = -1e-05", "load_mass = 10\N{NO-BREAK SPACE}t, x2 = 5, k = −1e−5"),
+        ("a-1 is 3.5 %", "a-1 is 3.5\N{NO-BREAK SPACE}%"),
+    ],
+)
+def test_numbers_in_a_text_have_a_true_minus_sign_and_do_not_part_from_their_units(written, text):
+    assert together(written) == text
 
 
 @pytest.mark.parametrize(
