@@ -26,7 +26,7 @@ def fonts() -> Path:
 
 @cache
 def _font(*, bold: bool) -> FT2Font:
-    # From memory: copies of this process share the place in an open file, and would read each other's letters.
+    # From memory: copies of this process share the place in an open file, and read each other's letters.
     name = "DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"
     return FT2Font(BytesIO((fonts() / name).read_bytes()))
 
