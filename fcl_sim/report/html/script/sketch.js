@@ -50,14 +50,15 @@ class Sketch {
     const [left, foot] = told.low;
     const [right, top] = told.high;
     const parts = svg("g", { transform: "scale(1 -1)" }, told.parts.map((part) => this.part(part)));
-    const box = `${left} ${-top} ${right - left} ${top - foot}`;
     const size = Math.max((right - left) / 32, (top - foot) / 20);
     this.readings = told.readings.map((reading) => {
       const [x, y] = reading.at;
       const text = svg("text", { x, y: 0.35 * size - y, "font-size": size, class: reading.on ? "on" : "" });
       return { text, told: reading };
     });
-    const ruler = told.hasScale ? this.ruler(left, right, foot, top) : [];
+    const low = foot - (told.hasScale && told.readings.length ? 2.4 * size : 0); // the ruler stands below what is read
+    const ruler = told.hasScale ? this.ruler(left, right, low, top) : [];
+    const box = `${left} ${-top} ${right - left} ${top - low}`;
     this.picture = svg("svg", { viewBox: box, role: "img" }, parts, ...ruler, this.readings.map(({ text }) => text));
     this.element = html("figure", { class: "sketch" }, this.picture, html("figcaption", { class: "note" }, told.about));
   }
