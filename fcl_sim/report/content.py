@@ -30,6 +30,7 @@ from fcl_sim.report.words import (
     number,
     one_line,
     plain,
+    together,
     value,
     with_unit,
 )
@@ -308,10 +309,11 @@ def _metric_name(requirement: Requirement) -> str:
 
 def _result(run: Run, verdict: Verdict) -> Data:
     plainly_met = verdict.status is Status.PASS and not verdict.requirement.expect_fail
+    reason = together(one_line(verdict.reason)).removesuffix(" This miss is expected.")
     return {
         "run": one_line(run.variant),
         "value": value(verdict),
         "status": str(verdict.status),
         "expected": summary.expected_miss(verdict),
-        "note": "" if plainly_met else one_line(verdict.reason).removesuffix(" This miss is expected."),
+        "note": "" if plainly_met else reason,
     }

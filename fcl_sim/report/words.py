@@ -13,6 +13,9 @@ NO_BREAK = "\N{NO-BREAK SPACE}"
 
 EXPONENT = re.compile(r"e\+?(-?)0*")
 
+BLANKS = re.compile(f"[^\\S{NO_BREAK}]+")
+"""Blanks and ends of lines, at which a line may be broken."""
+
 QUANTITY = re.compile(r"(?<![\w.-])(-?\d[\d.]*(?:e[+-]?\d+)?)( (?=[^\W\d]|[%°]))?")
 """A number, and the blank before its unit."""
 
@@ -29,8 +32,8 @@ def plain(text: str) -> str:
 
 
 def one_line(text: str) -> str:
-    """Return text on one line, as a label or a table's cell needs it."""
-    return " ".join(plain(text).split())
+    """Return text on one line, as a label or a table's cell needs it; what must not part stays together."""
+    return BLANKS.sub(" ", plain(text)).strip()
 
 
 def number(value: float, digits: int = 4) -> str:
@@ -100,7 +103,7 @@ def figure(asked: Requirement, measured: float) -> str:
     limits = [each for each in (asked.minimum, asked.maximum) if each is not None]
     near = min(limits, key=lambda each: abs(each - measured), default=None)
     if asked.formula is not None or asked.corridor is not None:
-        return f"margin {_joined(printed(wording.number(measured, near=0.0)), asked.unit)}"
+        return f"margin{NO_BREAK}{_joined(printed(wording.number(measured, near=0.0)), asked.unit)}"
     return _joined(printed(wording.number(measured, near=near)), asked.unit)
 
 

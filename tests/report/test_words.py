@@ -134,7 +134,7 @@ def test_counts_and_lists_read_as_a_sentence():
 def test_of_a_formula_is_asked_that_it_holds_and_its_robustness_is_measured():
     found = of_formula("always crane.sway < 3 deg")
     assert bound(found.requirement) == "the formula holds"
-    assert value(found) == "margin 0.5\N{NO-BREAK SPACE}deg"
+    assert value(found) == "margin\N{NO-BREAK SPACE}0.5\N{NO-BREAK SPACE}deg"
 
 
 def test_a_run_that_ended_early_is_told_with_its_time_signal_and_reason(tmp_path):

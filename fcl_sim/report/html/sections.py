@@ -194,6 +194,10 @@ def _further(outcome: Outcome, runs: Sequence[Run]) -> Markup:
     )
 
 
+PLANT = ("Plant", "Value", "What it is", "Where it is from", "Limits")
+BLOCKS = ("Block", "Type", "Set to", "As its type has it")
+
+
 def _constants(outcome: Outcome) -> Markup:
     """Return the values of the plant and of the blocks in the base run."""
     diagram = outcome.base.diagram
@@ -209,8 +213,8 @@ def _constants(outcome: Outcome) -> Markup:
     ]
     blocks = [[row["name"], row["type"], "; ".join(row["given"]), row["left"]] for row in block_rows(diagram)]
     return joined(
-        table(("Plant", "Value", "What it is", "Where it is from", "Limits"), plant) if plant else None,
-        table(("Block", "Type", "Set to", "As its type has it"), blocks) if blocks else None,
+        table(PLANT, plant, kind="constants") if plant else None,
+        table(BLOCKS, blocks, kind="constants") if blocks else None,
     )
 
 
@@ -258,7 +262,7 @@ def _envelope(run: Run) -> Markup | None:
     return _details(
         f"Envelope of run {one_line(run.variant)}",
         element("p", envelope_text(run, run.envelope)),
-        table(("Requirement", "Asked", "Passed", "Worst", "Verdict"), rows),
+        table(("Requirement", "Asked", "Passed", "Worst", "Verdict"), rows, kind="envelope"),
     )
 
 
