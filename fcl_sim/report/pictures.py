@@ -148,6 +148,8 @@ def _caption(run: Run, page: Sequence[Lane], index: int) -> str:
         parts.append("Hatching at the foot of an output: no rule is active.")
     if marks_of(run.trace):
         parts.append("Dashed uprights: what blocks reported and what happened to the PLC.")
+    if not len(run.trace.ticks):
+        parts.append("No scan was recorded.")
     if run.trace.fault is not None:
         fault = run.trace.fault
         parts.append(f"The run ended at {with_unit(fault.tick / 1e9, 's', 9)}: {one_line(fault.reason)}.")
