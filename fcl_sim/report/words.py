@@ -62,8 +62,14 @@ def printed(digits: str) -> str:
 
 
 def together(text: str) -> str:
-    """Return text whose numbers have a true minus sign and do not part from their units."""
-    return QUANTITY.sub(lambda found: printed(found[1]) + (NO_BREAK if found[2] else ""), text)
+    """Return text whose numbers have a true minus sign and do not part from their units; code stays code."""
+    parts = text.split("`")
+    told = [each if at % 2 else QUANTITY.sub(_quantity, each) for at, each in enumerate(parts)]
+    return "`".join(told)
+
+
+def _quantity(found: re.Match[str]) -> str:
+    return printed(found[1]) + (NO_BREAK if found[2] else "")
 
 
 def _joined(digits: str, unit: str) -> str:

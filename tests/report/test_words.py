@@ -61,6 +61,7 @@ def test_numbers_that_are_special(x, text):
     [
         ("position = -40 m", "position = −40\N{NO-BREAK SPACE}m"),
         ("load_mass = 10 t, x2 = 5, k = -1e-05", "load_mass = 10\N{NO-BREAK SPACE}t, x2 = 5, k = −1e−5"),
+        ("`x == -10 m` at -3 s", "`x == -10 m` at −3\N{NO-BREAK SPACE}s"),
         ("a-1 is 3.5 %", "a-1 is 3.5\N{NO-BREAK SPACE}%"),
     ],
 )

@@ -8,7 +8,7 @@ from fcl_sim.report.constant_rows import block_rows, plant_rows
 from fcl_sim.report.content import facts_of, paragraphs, requirement_rows, run_text, run_title
 from fcl_sim.report.coverage_matrix import matrix
 from fcl_sim.report.envelopes import envelope_rows, envelope_text
-from fcl_sim.report.html.markup import Child, Markup, element, joined
+from fcl_sim.report.html.markup import Child, Markup, element, joined, prose
 from fcl_sim.report.rule_bases import Base
 from fcl_sim.report.setting import setup_of
 from fcl_sim.report.words import counted, one_line, plain
@@ -123,7 +123,7 @@ def scenario(outcome: Outcome, number: int, data: str) -> Markup:
         "section",
         element("h2", title, " ", badge(str(outcome.verdict))),
         element("p", f"{counted(len(runs), 'run')}: {summary.tally(judged)}.", class_="tally"),
-        [element("p", each) for each in paragraphs(outcome.scenario.description)],
+        [element("p", prose(each)) for each in paragraphs(outcome.scenario.description)],
         _requirements(runs),
         element("div", class_="explorer", data_name=outcome.scenario.name),
         element("script", Markup(data), type="text/plain", class_="pack"),
@@ -149,14 +149,14 @@ def _requirement(row: dict[str, Any]) -> Markup:
         "th",
         element("b", row["id"]),
         " ",
-        row["text"],
+        prose(row["text"]),
         element(
             "span",
             f"{metric[:1].upper()}{metric[1:]} of {row['signal']}: ",
             element("b", row["bound"]),
             class_="asked",
         ),
-        element("span", definition, class_="definition"),
+        element("span", prose(definition), class_="definition"),
         scope="rowgroup",
         rowspan=len(row["results"]),
     )
@@ -171,7 +171,9 @@ def _requirement(row: dict[str, Any]) -> Markup:
             ),
             element("td", result["value"], class_="number"),
             element(
-                "td", badge(result["status"]), element("small", result["note"]) if result["note"] else None
+                "td",
+                badge(result["status"]),
+                element("small", prose(result["note"])) if result["note"] else None,
             ),
         )
         for at, result in enumerate(row["results"])
