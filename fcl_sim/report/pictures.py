@@ -6,7 +6,7 @@ from functools import partial
 
 import numpy as np
 
-from fcl_sim.loop.diagram import FuzzyNode
+from fcl_sim.loop.diagram import FuzzyNode, Node
 from fcl_sim.report import alt
 from fcl_sim.report.canvas import Figure
 from fcl_sim.report.events import marks_of
@@ -49,8 +49,8 @@ def all_runs(outcome: Outcome) -> list[Picture]:
 def over_time(run: Run, base: Run | None = None) -> list[Picture]:
     """Return what a reader asks of a run over time, as many figures as pages are needed.
 
-    That is what its requirements are about, what drives its plant, what its rule
-    bases read and give, and the signal at which it ended early. What is not
+    That is what its requirements are about, what drives its plant, what is set,
+    what its rule bases read and give, and the signal at which it ended early. What is not
     judged and never changes, or is as in the `base` run, is told in the first
     caption instead; where nothing is asked every signal is drawn.
     """
@@ -86,12 +86,14 @@ MOST_NAMES = 8
 
 
 def _telling(run: Run) -> set[str]:
-    """Return the signals that drive the plant, that fuzzy blocks read and give, and that a fault names."""
+    """Return the signals that drive the plant, are set, are read and given by rules, or named by a fault."""
     diagram = run.diagram
     found = {f"{diagram.plant.name}.{each}" for each in diagram.plant.inputs}
     for node in (each for each in diagram.nodes if isinstance(each, FuzzyNode)):
         found |= {each.source for each in node.inputs.values()}
         found |= {node.name, *(f"{node.name}.{each}" for each in node.block.outputs)}
+    sources = (each for each in diagram.nodes if isinstance(each, Node) and not each.inputs)
+    found |= {each.name for each in sources if each.type != "noise"}
     return found if run.trace.fault is None else found | {run.trace.fault.signal}
 
 
