@@ -240,7 +240,7 @@ def test_a_run_of_which_nothing_is_asked_shows_every_signal(tmp_path):
     bare = replace(made, verdicts=(), diagram=replace(made.diagram, nodes=()))
     (picture,) = over_time(bare)
     assert "drawn" not in picture.caption
-    assert len(picture.draw().axes) == len(lanes(shown(verdicts=[])))
+    assert len(picture.draw().axes) == len(lanes(replace(shown(), verdicts=())))
 
 
 def test_a_signal_that_moves_by_the_grain_of_binary32_is_at_rest(tmp_path):
