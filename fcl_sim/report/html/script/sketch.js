@@ -56,7 +56,7 @@ class Sketch {
       const text = svg("text", { x, y: 0.35 * size - y, "font-size": size, class: reading.on ? "on" : "" });
       return { text, told: reading };
     });
-    const low = foot - (told.hasScale && told.readings.length ? 2.4 * size : 0); // the ruler stands below what is read
+    const low = foot - (told.hasScale ? 2.4 * size : 0); // the ruler stands below all else
     const ruler = told.hasScale ? this.ruler(left, right, low, top) : [];
     const box = `${left} ${-top} ${right - left} ${top - low}`;
     this.picture = svg("svg", { viewBox: box, role: "img" }, parts, ...ruler, this.readings.map(({ text }) => text));
