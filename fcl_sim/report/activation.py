@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,9 +27,13 @@ NUMBER = 12.0
 """Width of a rule's label in mm, at most."""
 TOP = 1.5
 ROW = 3.2
-"""Height of a row in mm."""
-MOST_ROWS = 60
-"""Rows of a figure; a page takes no more."""
+"""Height in mm of a row whose text takes a line."""
+FURTHER = 0.75
+"""What each further line of a text adds, in such rows."""
+MOST_ROWS = 60.0
+"""Height of a figure in such rows; a page takes no more."""
+PIXELS = 4
+"""To such a row: the least height is drawn whole."""
 COLUMNS = 420
 """Stretches of time of a row: each narrower than the line of a dominant rule is wide."""
 LEAST_HEIGHT = 16.0
@@ -74,8 +79,7 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     if not len(run.trace.ticks) or not record.rule_labels:
         return []
     firing = firing_of(node, record, run.trace.time)
-    count = -(-len(firing.labels) // MOST_ROWS)
-    size = -(-len(firing.labels) // count)
+    parted = _parted(firing)
     caption = (
         f"Run {one_line(run.variant)}: the rules of {one_line(node.block.name)} over time, darker the more "
         "they fire; a bright line where a rule dominates."
@@ -84,13 +88,44 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
         caption += " Hatched: no rule fires."
     return [
         Picture(
-            name=numbered(f"{run.variant}-{node.name}-activation", page, count),
+            name=numbered(f"{run.variant}-{node.name}-activation", page, len(parted)),
             caption=caption,
             alt=alt(firing),
-            draw=partial(draw, firing.rows(slice(page * size, (page + 1) * size)), idle=firing.idle),
+            draw=partial(draw, firing.rows(chosen), idle=firing.idle),
         )
-        for page in range(count)
+        for page, chosen in enumerate(parted)
     ]
+
+
+def _parted(firing: Firing) -> list[slice]:
+    """Return the rules of each figure: as many figures as pages are needed, about alike in height."""
+    rows = np.diff(_edges(firing))
+    fair = float(rows.sum()) / -(-float(rows.sum()) // MOST_ROWS)
+    starts, height = [0], 0.0
+    for at, each in enumerate(rows):
+        if height and (height >= fair or height + each > MOST_ROWS):
+            starts.append(at)
+            height = 0.0
+        height += float(each)
+    return [slice(start, end) for start, end in pairwise([*starts, len(rows)])]
+
+
+def _edges(firing: Firing) -> Values:
+    """Return where the rows of rules begin and end (rules + 1,), in rows of one line."""
+    lines = np.array([text.count("\n") for text in _wrapped(firing)], dtype=np.float64)
+    return np.concatenate([[0.0], np.cumsum(1.0 + FURTHER * lines)])
+
+
+def _indent(firing: Firing) -> float:
+    """Return the width in mm of the rules' labels, as far as they are shown."""
+    names = [lettering.cut(one_line(each), NUMBER / style.HINTED, SIZE) for each in firing.labels]
+    return 1.5 + style.HINTED * max(lettering.text_width(each, SIZE, bold=True) for each in names)
+
+
+def _wrapped(firing: Firing) -> list[str]:
+    """Return the texts of rules, in as many lines as they need."""
+    room = (LABELS - _indent(firing) - 1.5) / style.HINTED
+    return [lettering.wrapped(brief(text), room, SIZE) for text in firing.texts]
 
 
 def firing_of(node: FuzzyNode, record: FuzzyRecord, time: Values) -> Firing:
@@ -108,37 +143,37 @@ def firing_of(node: FuzzyNode, record: FuzzyRecord, time: Values) -> Firing:
 
 def draw(firing: Firing, idle: NDArray[np.bool_]) -> Figure:
     """Return the rows of some rules; `idle` (n,) is where no rule of the block fires."""
-    rows = len(firing.labels)
-    height = max(ROW * rows, LEAST_HEIGHT)
+    rows = _edges(firing)
+    height = max(ROW * float(rows[-1]), LEAST_HEIGHT)
     levels = ticks(0.0, 1.0, 4)
     bar = GAP + BAR + room_left(levels, "degree [1]")
     figure = Figure(TOP + height + room_below("time [s]"))
     axes = figure.place(LABELS, TOP, style.WIDTH - LABELS - bar, height, "activation")
     begin, end = float(firing.time[0]), float(firing.time[-1])
-    axes.x, axes.y = (begin, end if end > begin else begin + 1.0), (float(rows), 0.0)
+    axes.x, axes.y = (begin, end if end > begin else begin + 1.0), (float(rows[-1]), 0.0)
     edges = np.linspace(*axes.x, COLUMNS + 1)
-    _draw_degrees(axes, firing, edges)
-    _draw_dominant(axes, firing, edges)
+    _draw_degrees(axes, firing, edges, rows)
+    _draw_dominant(axes, firing, edges, rows)
     for start, stop in stretches(idle):
         across = (float(firing.time[start]), float(firing.time[min(stop, len(idle) - 1)]))
         axes.add(span(axes, across, style.UNDEFINED, hatched=True, z=1.5))
     draw_frame(axes, ticks(*axes.x, 9), (), ("time [s]", ""), grid=False)
-    _draw_texts(axes, firing)
+    _draw_texts(axes, firing, rows)
     scale = figure.place(style.WIDTH - bar + GAP, TOP, BAR, height, "scale")
     scale.add(Image((0.0, 1.0), (0.0, 1.0), raster.scale((1, raster.SHADES), style.FIRING), z=1))
     draw_scale(scale, levels, "degree [1]")
     return figure
 
 
-def _draw_degrees(axes: Axes, firing: Firing, edges: Values) -> None:
+def _draw_degrees(axes: Axes, firing: Firing, edges: Values, rows: Values) -> None:
     """Colour each stretch of a row by the largest degree in it; where a rule does not fire is paper."""
     values = _largest(firing.time, firing.degrees, edges)
     values = np.where(values > 0.0, values, np.nan)[::-1]
-    rows = np.arange(len(firing.labels) + 1, dtype=np.float64)
-    size = (len(edges) - 1, len(firing.labels))
-    png = raster.cells(edges, rows, values, (0.0, 1.0), size, style.FIRING)
-    axes.add(Image(axes.x, (float(len(firing.labels)), 0.0), png, z=1))
-    lines = [np.array([(0.0, row / len(firing.labels)), (1.0, row / len(firing.labels))]) for row in rows]
+    upwards = rows[-1] - rows[::-1]
+    size = (len(edges) - 1, round(PIXELS * float(rows[-1])))
+    png = raster.cells(edges, upwards, values, (0.0, 1.0), size, style.FIRING)
+    axes.add(Image(axes.x, (float(rows[-1]), 0.0), png, z=1))
+    lines = [np.array([(0.0, place), (1.0, place)]) for place in rows / rows[-1]]
     axes.add(Line(*joined(lines), style.GRID, 0.4, flat=True, z=2, parts=True))
 
 
@@ -155,12 +190,12 @@ def _largest(time: Values, values: Values, edges: Values) -> Values:
     return result
 
 
-def _draw_dominant(axes: Axes, firing: Firing, edges: Values) -> None:
+def _draw_dominant(axes: Axes, firing: Firing, edges: Values, rows: Values) -> None:
     """Draw a line in the row of a rule over the stretches in which it dominates at any scan."""
     flags = _largest(firing.time, firing.dominant.astype(np.float64), edges) > 0.0
     pieces = [
-        np.array([(edges[start], row + 0.5), (edges[stop], row + 0.5)])
-        for row, own in enumerate(flags)
+        np.array([(edges[start], middle), (edges[stop], middle)])
+        for middle, own in zip((rows[:-1] + rows[1:]) / 2.0, flags, strict=True)
         for start, stop in stretches(own)
     ]
     if pieces:
@@ -169,17 +204,15 @@ def _draw_dominant(axes: Axes, firing: Firing, edges: Values) -> None:
         axes.add(Line(x, y, style.LEADS, 1.2, flat=True, z=4.1, label="dominant"))
 
 
-def _draw_texts(axes: Axes, firing: Firing) -> None:
-    names = [lettering.cut(one_line(each), NUMBER / style.HINTED, SIZE) for each in firing.labels]
-    indent = 1.5 + style.HINTED * max(lettering.text_width(each, SIZE, bold=True) for each in names)
-    for row, (name, text) in enumerate(zip(names, firing.texts, strict=True)):
+def _draw_texts(axes: Axes, firing: Firing, rows: Values) -> None:
+    indent, left = _indent(firing), -LABELS / axes.width
+    for row, (name, text) in enumerate(zip(firing.labels, _wrapped(firing), strict=True)):
         fired = bool((firing.degrees[:, row] > 0.0).any())
         colour = style.INK if fired else style.FAINT
-        y = 1.0 - (row + 0.5) / len(names)
-        short = lettering.cut(brief(text), (LABELS - indent - 1.5) / style.HINTED, SIZE)
-        left = -LABELS / axes.width
-        axes.add(Text(left, y, name, SIZE, colour, up="center", parts=True, bold=fired))
-        axes.add(Text(left + indent / axes.width, y, short, SIZE, colour, up="center", parts=True))
+        y = 1.0 - float(rows[row] + rows[row + 1]) / 2.0 / float(rows[-1])
+        label = lettering.cut(one_line(name), NUMBER / style.HINTED, SIZE)
+        axes.add(Text(left, y, label, SIZE, colour, up="center", parts=True, bold=fired))
+        axes.add(Text(left + indent / axes.width, y, text, SIZE, colour, up="center", parts=True))
 
 
 SIZE = 5.8

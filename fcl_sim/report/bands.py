@@ -22,6 +22,18 @@ RIGHT = 16.0
 LABEL = 2.7
 """Height of a label in mm, for keeping them apart."""
 
+ROW = 1.1
+"""Height in mm of what marks the violations of a run among others."""
+
+SHORTEST, DASH = 0.7, 5.0
+"""Length in mm of the shortest stroke that is seen; one of fewer times that is solid."""
+
+MOST_STRIP = 0.3
+"""The part of an axis that such rows take at most."""
+
+Interval = tuple[float, float]
+"""Start and end in seconds."""
+
 
 def worth_showing(limit: float, low: float, high: float) -> bool:
     """Return whether the axis of data from `low` to `high` is stretched to show `limit`."""
@@ -103,15 +115,26 @@ def apart(places: Sequence[float], least: float) -> list[float]:
     return moved
 
 
-def draw_violations(
-    axes: Axes, violations: Sequence[tuple[float, float]], run: tuple[int, str] | None = None
-) -> None:
-    """Shade each violated interval; of `run` (index, colour) among several, a bar along the upper edge."""
-    for start, end in violations:
-        if run is None:
-            axes.add(span(axes, (start, end), style.VIOLATION, opacity=0.6, z=1.5))
-            axes.add(span(axes, (start, end), style.VIOLATION_EDGE, (0.955, 1.0), z=4))
-            continue
-        index, colour = run
-        top = 1.0 - 0.05 * index
-        axes.add(span(axes, (start, end), colour, (top - 0.035, top), z=4))
+def draw_violations(axes: Axes, violations: Sequence[Interval]) -> None:
+    """Shade each violated interval of a lone run, with a bar along the upper edge."""
+    for each in violations:
+        axes.add(span(axes, each, style.VIOLATION, opacity=0.6, z=1.5))
+        axes.add(span(axes, each, style.VIOLATION_EDGE, (0.955, 1.0), z=4))
+
+
+def strip_of(count: int, height: float) -> float:
+    """Return the part of an axis, `height` mm high, that the violations of so many runs take at its top."""
+    return min((count + 0.5) * ROW / height, MOST_STRIP) if count else 0.0
+
+
+def draw_strip(axes: Axes, found: Sequence[tuple[int, Sequence[Interval]]], part: float) -> None:
+    """Mark the violated intervals of runs, each by its number, in the top `part` of an axis: a row a run."""
+    for row, (index, violations) in enumerate(found):
+        colour, dashes = style.stroke(index)
+        at = axes.part(1.0 - part * (row + 0.75) / (len(found) + 0.5))
+        least = SHORTEST / axes.width * (axes.x[1] - axes.x[0])
+        for start, end in violations:
+            is_short = end - start < DASH * least
+            begin = min(start, axes.x[1] - least)
+            shown = [begin, max(end, begin + least)]
+            axes.add(Line(shown, [at, at], colour, 1.3, () if is_short else dashes, z=4, label="violation"))

@@ -21,6 +21,9 @@ from fcl_sim.testbench import Run
 MOST_BARS = 6
 """Runs whose visited ranges are told apart; more are drawn as one."""
 
+SWEEP = 41
+"""Places at which an output is asked how far an input moves it."""
+
 PANELS = 6
 """Variables to a figure of membership functions."""
 
@@ -64,8 +67,8 @@ def characteristic(
 ) -> list[Picture]:
     """Return a picture of each output over its inputs, with the run of `record` drawn over it.
 
-    Two inputs make a map, one a curve. Of more, the two that moved most are
-    drawn and the others held at their medians, or in the middle without a run,
+    Two inputs make a map, one a curve. Of more, the two that move the output most
+    are drawn and the others held at their medians, or in the middle without a run,
     where a map stands beside the surface in space. `time` (n,) are the seconds of the run.
     """
     inputs = sampling.domains(block.function_block, units)
@@ -135,11 +138,26 @@ def _map(subject: Subject) -> Picture:
 
 
 def plane_of(subject: Subject) -> tuple[list[Domain], dict[str, float]]:
-    """Return the two inputs that are drawn and the values of the others."""
-    chosen = sorted(subject.inputs, key=lambda each: -_moved(each, subject.seen))[:2]
-    others = [each for each in subject.inputs if each not in chosen]
-    fixed = {each.name: _middle(each, subject.seen) for each in others}
+    """Return the two inputs that move the output most, each alone, and the values of the others."""
+    middles = {each.name: _middle(each, subject.seen) for each in subject.inputs}
+    weight = {
+        each.name: (_effect(subject, each, middles), _moved(each, subject.seen)) for each in subject.inputs
+    }
+    chosen = sorted(subject.inputs, key=lambda each: weight[each.name], reverse=True)[:2]
+    fixed = {each.name: middles[each.name] for each in subject.inputs if each not in chosen}
     return [each for each in subject.inputs if each in chosen], fixed
+
+
+def _effect(subject: Subject, domain: Domain, middles: Mapping[str, float]) -> float:
+    """Return how far an input moves the output over what was seen of it, with the others in their middles."""
+    if len(subject.inputs) < 3:
+        return 0.0
+    finite = _finite(subject.seen, domain.name)
+    ends = (float(finite.min()), float(finite.max())) if len(finite) else (domain.low, domain.high)
+    point: dict[str, float | Values] = {**middles, domain.name: np.linspace(*ends, SWEEP)}
+    found = subject.block.evaluation(point).outputs[subject.output]
+    told = found[np.isfinite(found)]
+    return float(np.ptp(told)) if told.size else 0.0
 
 
 def _moved(domain: Domain, seen: Mapping[str, Values]) -> float:

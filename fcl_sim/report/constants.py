@@ -4,12 +4,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from fcl_sim.judge import wording
+from fcl_sim.formula.text import Text as Formula
 from fcl_sim.loop.blocks.declaration import BlockParameter
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.loop.settings import AnyNode, type_of
-from fcl_sim.report.words import MINUS, exactly, one_line, printed
-from fcl_sim.units import Quantity, parse_unit
+from fcl_sim.report.words import MINUS, exactly, one_line
+from fcl_sim.scenario.model import Entries, PlantSetup
+from fcl_sim.units import Quantity, UnitError, parse_quantity, parse_unit
 
 ASSUMED = "[A]"
 """How the source of a parameter begins that nobody has told."""
@@ -23,6 +24,7 @@ class Constant:
     """A constant of a plant, in its declared unit; `declared` is what it is unless it is `given`.
 
     `source` says where the declared value comes from, and whether it is assumed. A start value has none.
+    `written` is the value as the scenario has it, in a unit of its own; None where it has none.
     """
 
     name: str
@@ -34,6 +36,14 @@ class Constant:
     given: bool
     minimum: float | None = None
     maximum: float | None = None
+    written: Quantity | None = None
+
+    @property
+    def told(self) -> str:
+        """The value for a reader, in the unit that the scenario gives it in."""
+        if self.written is None:
+            return exactly(self.value, self.unit)
+        return exactly(self.written.value, self.written.unit.symbol)
 
     @property
     def is_assumed(self) -> bool:
@@ -41,8 +51,9 @@ class Constant:
         return self.value == self.declared and self.source.startswith(ASSUMED)
 
 
-def parameters_of(plant: PlantNode) -> list[Constant]:
-    """Return all parameters of a plant, in the order of their declaration."""
+def parameters_of(plant: PlantNode, setup: PlantSetup | None = None) -> list[Constant]:
+    """Return all parameters of a plant, in their order; `setup` is what it was bound from."""
+    written = {} if setup is None else setup.parameters
     return [
         Constant(
             name=each.name,
@@ -54,13 +65,15 @@ def parameters_of(plant: PlantNode) -> list[Constant]:
             given=each.name in plant.parameters,
             minimum=each.minimum,
             maximum=each.maximum,
+            written=_written(each.name, each.unit, plant.parameters, written),
         )
         for each in plant.model.declaration.parameters
     ]
 
 
-def starts_of(plant: PlantNode) -> list[Constant]:
+def starts_of(plant: PlantNode, setup: PlantSetup | None = None) -> list[Constant]:
     """Return the start values of all states, then those of inputs that nothing drives."""
+    written = {} if setup is None else setup.start
     states = [
         Constant(
             name=each.name,
@@ -69,6 +82,7 @@ def starts_of(plant: PlantNode) -> list[Constant]:
             meaning=each.meaning,
             declared=each.start,
             given=each.name in plant.start,
+            written=_written(each.name, each.unit, plant.start, written),
         )
         for each in plant.model.declaration.states
     ]
@@ -85,6 +99,17 @@ def starts_of(plant: PlantNode) -> list[Constant]:
         if each.name not in plant.inputs
     ]
     return [*states, *still]
+
+
+def _written(name: str, unit: str, values: Mapping[str, float], entries: Entries) -> Quantity | None:
+    """Return a value as a scenario gives it, where that is the one which the plant has."""
+    if name not in values or name not in entries:
+        return None
+    try:
+        quantity = parse_quantity(entries[name].value)
+        return quantity if quantity.to(parse_unit(unit)) == values[name] else None
+    except UnitError:
+        return None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -161,7 +186,7 @@ def told(value: Any) -> str:
     if isinstance(value, Quantity):
         return exactly(value.value, value.unit.symbol)
     if isinstance(value, int | float):
-        return printed(wording.exactly(float(value), ""))
+        return exactly(float(value), "")
     if isinstance(value, tuple | list):
         shown = [told(each) for each in value]
         if len(shown) > MOST_ROWS:
@@ -169,7 +194,7 @@ def told(value: Any) -> str:
         return f"[{', '.join(shown)}]"
     if isinstance(value, Mapping):
         return ", ".join(f"{one_line(str(name))}: {told(each)}" for name, each in value.items())
-    return one_line(str(value))
+    return one_line(value.text if isinstance(value, Formula) else str(value))
 
 
 def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
@@ -184,55 +209,3 @@ def changes(before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[tup
                     yield f"{name}[{place}]", told(one), told(other)
             continue
         yield name, told(old) if name in before else "", told(new) if name in after else ""
-
-
-def plant_rows(plant: PlantNode) -> list[dict[str, Any]]:
-    """Return the parameters of a plant, then its start values, as rows of a table."""
-    return [
-        *(_row(each, "parameter") for each in parameters_of(plant)),
-        *(_row(each, "start") for each in starts_of(plant)),
-    ]
-
-
-def _row(constant: Constant, kind: str) -> dict[str, Any]:
-    return {
-        "kind": kind,
-        "name": one_line(constant.name),
-        "value": exactly(constant.value, constant.unit),
-        "meaning": one_line(constant.meaning),
-        "source": _origin(constant),
-        "assumed": constant.is_assumed,
-        "limits": _limits(constant),
-    }
-
-
-def _origin(constant: Constant) -> str:
-    """Return where a value comes from: the scenario, or what the plant's file says."""
-    source = one_line(constant.source)
-    if constant.value == constant.declared:
-        return source
-    kept = exactly(constant.declared, constant.unit)
-    return f"set by the scenario; by itself {kept}{f', {source}' if source else ''}"
-
-
-def _limits(constant: Constant) -> str:
-    low, high = constant.minimum, constant.maximum
-    if low is not None and high is not None:
-        return f"{exactly(low, '')} to {exactly(high, '')}"
-    if low is not None:
-        return f"at least {exactly(low, '')}"
-    return "" if high is None else f"at most {exactly(high, '')}"
-
-
-def block_rows(diagram: Diagram) -> list[dict[str, Any]]:
-    """Return the blocks that are set to anything, as rows of a table."""
-    return [
-        {
-            "name": one_line(each.name),
-            "type": each.type,
-            "given": [f"{one_line(name)} = {told(value)}" for name, value in each.given.items()],
-            "left": ", ".join(f"{name} = {told(value)}" for name, value in each.left.items()),
-        }
-        for each in blocks_of(diagram)
-        if each.values
-    ]

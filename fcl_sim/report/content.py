@@ -11,13 +11,13 @@ from fcl_sim.judge.wording import relation
 from fcl_sim.loop.wiring import wire
 from fcl_sim.report import activation, baselines, beside, characteristics, pictures, summary
 from fcl_sim.report.archive import Stored
-from fcl_sim.report.constants import block_rows, plant_rows
+from fcl_sim.report.constant_rows import block_rows, plant_rows
 from fcl_sim.report.envelopes import envelope_pictures, envelope_rows, envelope_text
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.placed import Register, placed
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
 from fcl_sim.report.rule_bases import rule_base_data, rule_bases
-from fcl_sim.report.setting import differences, milliseconds
+from fcl_sim.report.setting import milliseconds, setup_of, unlike_base
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
 from fcl_sim.report.stills import stills_of
 from fcl_sim.report.story import story_data
@@ -30,6 +30,7 @@ from fcl_sim.report.words import (
     number,
     one_line,
     plain,
+    together,
     value,
     with_unit,
 )
@@ -127,7 +128,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
         "story": paragraphs(scenario.description),
         "facts": facts_of(outcome),
         "requirements": requirement_rows(runs),
-        "plant": plant_rows(outcome.base.diagram.plant),
+        "plant": plant_rows(outcome.base.diagram.plant, setup_of(outcome, outcome.base)),
         "blocks": block_rows(outcome.base.diagram),
         "sections": _sections(outcome, register),
     }
@@ -141,7 +142,9 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
         ("Loop and plant", "", [wired(wire(outcome.base.diagram), outcome.scenario.title), *stills]),
         ("All runs", "", pictures.all_runs(outcome)),
     ]
-    parts += [(run_title(outcome, run), run_text(outcome, run), pictures.over_time(run)) for run in runs]
+    for run in runs:
+        base = None if run is outcome.base else outcome.base
+        parts.append((run_title(outcome, run), run_text(outcome, run), pictures.over_time(run, base)))
     fires = [each for run in activation.first_users(runs) for each in activation.over_time(run)]
     parts.append(("Which rules fire when", "", fires))
     shown = _on_characteristic(runs)
@@ -234,7 +237,7 @@ def run_title(outcome: Outcome, run: Run) -> str:
 def run_text(outcome: Outcome, run: Run) -> str:
     """Return what sets a run apart from the base run, what blocks reported, why it ended early if it did."""
     sentences = []
-    unlike = [] if run is outcome.base else differences(outcome.base.diagram, run.diagram)
+    unlike = [] if run is outcome.base else unlike_base(outcome, run)
     if unlike:
         sentences.append(f"Unlike the base run: {'; '.join(unlike)}.")
     for first, *more in run.trace.events_by_kind:
@@ -290,7 +293,6 @@ def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:
         "bound": bound(first.requirement),
         "definition": one_line(first.definition),
         "results": told,
-        "rows": 1 + len(told),
     }
 
 
@@ -307,10 +309,11 @@ def _metric_name(requirement: Requirement) -> str:
 
 def _result(run: Run, verdict: Verdict) -> Data:
     plainly_met = verdict.status is Status.PASS and not verdict.requirement.expect_fail
+    reason = together(one_line(verdict.reason)).removesuffix(" This miss is expected.")
     return {
         "run": one_line(run.variant),
         "value": value(verdict),
         "status": str(verdict.status),
         "expected": summary.expected_miss(verdict),
-        "note": "" if plainly_met else one_line(verdict.reason).removesuffix(" This miss is expected."),
+        "note": "" if plainly_met else reason,
     }

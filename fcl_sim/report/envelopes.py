@@ -16,7 +16,7 @@ from fcl_sim.report.canvas import Axes, Dot, Figure, Text, span, upright
 from fcl_sim.report.frame import draw_frame, room_below, ticks
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.time_plots import Shown, lanes, pages, time_plot
-from fcl_sim.report.words import bound, bracketed, counted, figure, joined, one_line
+from fcl_sim.report.words import bound, bracketed, counted, figure, joined, one_line, together
 from fcl_sim.testbench import Run
 
 LEFT, RIGHT = 4.0, 4.0
@@ -34,7 +34,7 @@ def envelope_text(run: Run, envelope: Envelope) -> str:
     """Return what the points of an envelope are."""
     axes = []
     for label, axis in zip(envelope.grid.labels, envelope.grid.axes, strict=True):
-        values = [written(each.plain()) for each in axis.values]
+        values = [together(written(each.plain())) for each in axis.values]
         told = (
             joined(values) if len(values) <= MOST_VALUES else f"{values[0]} to {values[-1]} in {len(values)}"
         )
@@ -65,7 +65,7 @@ def _about(verdict: EnvelopeVerdict) -> str:
 
 
 def _worst(envelope: Envelope, verdict: EnvelopeVerdict) -> str:
-    place = "" if verdict.worst is None else envelope.grid.told(verdict.worst)
+    place = "" if verdict.worst is None else together(envelope.grid.told(verdict.worst))
     word = "Furthest" if verdict.requirement.over is Over.MEAN else "Worst"
     return f"{word}: {summary.at_worst(verdict)} at {place}"
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import partial
 
 from fcl_sim.engine.explain import Activated
-from fcl_sim.engine.explain_text import activation_formula, subject
+from fcl_sim.engine.explain_text import activation_formula
 from fcl_sim.report import lettering, style
 from fcl_sim.report.canvas import Axes, Figure, Line, Shape
 from fcl_sim.report.inference_shapes import TOP, draw_activated, draw_taken, sketch
@@ -94,29 +94,40 @@ def _columns(rules: Sequence[Fired]) -> Columns:
     aligned = once and len(names) <= MOST_COLUMNS
     count = max(2, len(names) if aligned else min(most, MOST_COLUMNS))
     width = Columns(count, 1, {}).width
-    texts = [(f"{leaf.variable} {leaf.predicate}", number(leaf.degree), width) for leaf in leaves]
+    texts = [(leaf.variable, leaf.predicate, number(leaf.degree), width) for leaf in leaves]
     texts += [
-        (subject(each), printed(activation_formula(each)), THEN) for rule in rules for each in rule.activated
+        (each.variable, f"IS {each.term}" if each.term else "", printed(activation_formula(each)), THEN)
+        for rule in rules
+        for each in rule.activated
     ]
-    fit = all(
-        lettering.text_width(f"{one_line(left)}  {right}", style.SMALL) <= width / style.HINTED
-        for left, right, width in texts
-    )
-    return Columns(count, 1 if fit else 2, {name: at for at, name in enumerate(names)} if aligned else {})
+    lines = max((_lines(*each) for each in texts), default=1)
+    return Columns(count, lines, {name: at for at, name in enumerate(names)} if aligned else {})
+
+
+def _lines(first: str, second: str, right: str, width: float) -> int:
+    """Return the lines that a label and what stands to the right of it take: the latter has the last."""
+    for count, last in ((1, f"{first} {second}"), (2, second)):
+        text = f"{one_line(last)}  {right}" if one_line(last) else right
+        if lettering.text_width(text, style.SMALL) <= width / style.HINTED:
+            return count
+    return 3
 
 
 def _label(
     page: Axes, at: tuple[float, float], width: float, texts: tuple[str, str, str], lines: int
 ) -> None:
-    """Write what a sketch shows, and to the right of it a degree or formula; on one line or two."""
+    """Write what a sketch shows, and to the right of it a degree or formula; on one line, two or three."""
     x, y = at
     first, second, right = texts
-    room = max(width / style.HINTED - lettering.text_width(right, style.SMALL) - 2.0, 4.0)
+    whole = width / style.HINTED
+    room = max(whole - lettering.text_width(right, style.SMALL) - 2.0, 4.0)
     below = y + LINE[style.SMALL] * (lines - 1)
-    if lines == 2 and second:
-        write(page, (x, y), lettering.cut(first, width / style.HINTED, style.SMALL), size=style.SMALL)
-        first = ""
-    last = f"{first} {second}".strip()
+    above = {1: [], 2: [first], 3: [first, second]}[lines]
+    last = {1: f"{first} {second}".strip(), 2: second, 3: ""}[lines]
+    for row, each in enumerate(above):
+        write(
+            page, (x, y + LINE[style.SMALL] * row), lettering.cut(each, whole, style.SMALL), size=style.SMALL
+        )
     write(page, (x, below), lettering.cut(last, room, style.SMALL), size=style.SMALL)
     write(page, (x + width, below), right, size=style.SMALL, align="right")
 

@@ -1,5 +1,6 @@
 """The letters of figures: how wide a text is, and how it is broken or cut to fit."""
 
+import re
 from functools import cache, lru_cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -48,31 +49,31 @@ def text_width(text: str, size: float = NORMAL, *, bold: bool = False) -> float:
 
 
 def wrapped(text: str, width: float, size: float = NORMAL) -> str:
-    """Break text into lines of at most `width` mm: at blanks, after `.`, `_`, `/`, else anywhere.
+    """Break text into lines of at most `width` mm: at blanks; a word longer than a line after `.`, `_`, `/`.
 
-    A number is broken only where nothing else helps.
+    Where that does not help it is broken anywhere, a number too.
     """
     lines: list[str] = []
     line = ""
-    for piece in _pieces(text):
-        if line and text_width(line + piece, size) > width:
-            lines.append(line.rstrip())
-            line = ""
-        line += piece if line else piece.lstrip()
-        while text_width(line, size) > width and len(line) > 1:
-            cut = max(1, int(len(line) * width / text_width(line, size)) - 1)
-            lines.append(line[:cut])
-            line = line[cut:]
+    for word in WORD.findall(text):
+        is_long = text_width(word.lstrip(), size) > width
+        for piece in PIECE.findall(word) if is_long else (word,):
+            if line and text_width(line + piece, size) > width:
+                lines.append(line.rstrip())
+                line = ""
+            line += piece if line else piece.lstrip()
+            while text_width(line, size) > width and len(line) > 1:
+                cut = max(1, int(len(line) * width / text_width(line, size)) - 1)
+                lines.append(line[:cut])
+                line = line[cut:]
     return "\n".join([*lines, line.rstrip()])
 
 
-def _pieces(text: str) -> list[str]:
-    pieces = [""]
-    for character, after in zip(text, (text + " ")[1:], strict=True):
-        pieces[-1] += character
-        if character in " ._/," and not (character == "." and after.isdigit()):
-            pieces.append("")
-    return [piece for piece in pieces if piece]
+WORD = re.compile(r" *[^ ]+")
+"""A word with the blanks before it."""
+
+PIECE = re.compile(r".*?(?:[_/,]|\.(?!\d))|.+")
+"""A part of a word up to where it may be broken, the blanks before it included; no number is."""
 
 
 def cut(text: str, width: float, size: float = NORMAL) -> str:

@@ -1,6 +1,7 @@
 """How a run is set up, in words, and what sets it apart from another."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from pathlib import PurePath
 from typing import Any
 
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Overruns, PlantNode, Restart
@@ -15,7 +16,9 @@ from fcl_sim.report.constants import (
     starts_of,
     told,
 )
-from fcl_sim.report.words import exactly, number, one_line, with_unit
+from fcl_sim.report.words import number, one_line, with_unit
+from fcl_sim.scenario.model import PlantSetup
+from fcl_sim.testbench import Outcome, Run
 
 ARROW = "\N{RIGHTWARDS ARROW}"
 
@@ -25,28 +28,49 @@ def milliseconds(ticks: int) -> str:
     return with_unit(ticks / 1e6, "ms", 9)
 
 
-def differences(base: Diagram, other: Diagram) -> list[str]:
-    """Return what sets a diagram apart from the base, old and new: plant, start, timing, blocks, wires."""
+def unlike_base(outcome: Outcome, run: Run) -> list[str]:
+    """Return what sets a run apart from the base run of its scenario, values as the scenario writes them."""
+    setups = setup_of(outcome, outcome.base), setup_of(outcome, run)
+    return differences(outcome.base.diagram, run.diagram, setups)
+
+
+def setup_of(outcome: Outcome, run: Run) -> PlantSetup | None:
+    """Return what the scenario says of a run's plant."""
+    setup = outcome.scenario.variants.get(run.variant)
+    return None if setup is None else setup.plant
+
+
+def differences(
+    base: Diagram, other: Diagram, setups: tuple[PlantSetup | None, PlantSetup | None] = (None, None)
+) -> list[str]:
+    """Return what sets a diagram apart from the base, old and new: plant, start, timing, blocks, wires.
+
+    Values of the plants are in the units of `setups`, which they were bound from.
+    """
     return [
-        *_plant(base.plant, other.plant),
+        *_plant((base.plant, setups[0]), (other.plant, setups[1])),
         *_timing(base, other),
         *_blocks(base, other),
         *_wires(base, other),
     ]
 
 
-def _plant(base: PlantNode, other: PlantNode) -> Iterator[str]:
+def _plant(*sides: tuple[PlantNode, PlantSetup | None]) -> Iterator[str]:
+    base, other = (node for node, _ in sides)
     names = [each.model.declaration.name for each in (base, other)]
     if other.model.digest != base.model.digest:
         same = "the plant's file is another" if names[0] == names[1] else ""
         yield same or f"the plant {_changed(*names)}"
-    yield from _constants(parameters_of(base), parameters_of(other))
-    yield from (f"start {each}" for each in _constants(starts_of(base), starts_of(other)))
+    yield from _constants(*(parameters_of(*each) for each in sides))
+    yield from (f"start {each}" for each in _constants(*(starts_of(*each) for each in sides)))
 
 
 def _constants(base: Sequence[Constant], other: Sequence[Constant]) -> Iterator[str]:
-    before, after = ({each.name: exactly(each.value, each.unit) for each in side} for side in (base, other))
-    yield from _named(changes(before, after))
+    before, after = ({each.name: each for each in side} for side in (base, other))
+    for name in dict.fromkeys((*before, *after)):
+        old, new = before.get(name), after.get(name)
+        if old is None or new is None or (old.value, old.unit) != (new.value, new.unit):
+            yield f"{one_line(name)} {_changed(*('' if each is None else each.told for each in (old, new)))}"
 
 
 def _named(found: Iterable[tuple[str, str, str]]) -> Iterator[str]:
@@ -147,7 +171,9 @@ def _rules(base: FuzzyNode, other: FuzzyNode) -> Iterator[str]:
     if mine == theirs:
         return
     old, new = (each.span.source.name if each.span else "" for each in (mine, theirs))
-    yield f"rule base {_changed(old, new)}" if old != new else "the rule base is another"
+    names = PurePath(old).name, PurePath(new).name
+    apart = names if names[0] != names[1] else (old, new)
+    yield f"rule base {_changed(*apart)}" if old != new else "the rule base is another"
 
 
 def _wires(base: Diagram, other: Diagram) -> Iterator[str]:

@@ -33,6 +33,9 @@ HEAT = ("#3d6590", "#5a94a8", "#8fbfae", "#cfdfae", "#fbf3c9")
 FIRING = ("#e8f0f7", "#8fb4d6", "#2f6ca5", "#0f3358")
 """Colours of a degree: the darker, the more a rule fires."""
 
+WARMTH = ("#dceaf5", "#f5d9a8", "#dd7f3c")
+"""Colours from cold to hot: they fall evenly in grey too, and are light enough to write on."""
+
 LEADS = "#ffc533"
 """Light on ink: seen on any of these, in grey too."""
 

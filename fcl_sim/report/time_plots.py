@@ -9,7 +9,16 @@ import numpy as np
 from fcl_sim.judge.verdict import Band, Corridor, Verdict
 from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import lettering, style
-from fcl_sim.report.bands import draw_bands, draw_corridors, draw_violations, focus_on, worth_showing
+from fcl_sim.report.bands import (
+    Interval,
+    draw_bands,
+    draw_corridors,
+    draw_strip,
+    draw_violations,
+    focus_on,
+    strip_of,
+    worth_showing,
+)
 from fcl_sim.report.canvas import Axes, Dot, Figure, Line, Text, span, upright
 from fcl_sim.report.events import marks_of
 from fcl_sim.report.frame import draw_frame, room_below, scale_of, ticks
@@ -38,6 +47,9 @@ STRETCH = 1.6
 
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
+
+NOISE = 1e-6
+"""A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
 
 BUCKETS = 400
 """A line is thinned to its extremes in so many stretches: each narrower than the line."""
@@ -86,7 +98,6 @@ def lanes(run: Shown) -> list[Lane]:
     close to them. A clock, which is the time itself, gets none.
     """
     trace = run.trace
-    clock = ("s", trace.time.tobytes())
     judged = {name for verdict in run.verdicts for name in verdict.requirement.signals}
     found: dict[tuple[str, bytes], list[str]] = {}
     for column, name in enumerate(trace.names):
@@ -94,9 +105,10 @@ def lanes(run: Shown) -> list[Lane]:
         found.setdefault(key, []).append(name)
     first: list[Lane] = []
     others: list[Lane] = []
-    for (unit, values), names in found.items():
+    for (unit, _), names in found.items():
         names.sort(key=lambda name: name not in judged)
-        if (unit, values) == clock and names[0] not in judged:
+        is_clock = unit == "s" and np.allclose(trace[names[0]], trace.time, rtol=NOTHING, atol=NOTHING)
+        if is_clock and names[0] not in judged:
             continue
         lane = Lane(signal=names[0], names=tuple(names), unit=unit, judged=names[0] in judged)
         (first if lane.judged else others).append(lane)
@@ -148,8 +160,8 @@ def pages(shown: Sequence[Lane]) -> list[list[Lane]]:
 def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     """Return stacked axes, one a lane, with the runs in each, the first drawn strongest.
 
-    A lone run has its violations shaded over the height of the axis; of several
-    each marks its own along the upper edge.
+    A lone run has its violations shaded over the height of the axis; those of several
+    are marked above the lines, a row for each run that has any.
     """
     headings = [_heading_texts(lane, runs) for lane in shown]
     labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
@@ -186,9 +198,14 @@ def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
     shown = [run.trace[lane.signal] for _, run in present]
     shown += [edge for each in corridors_of(lane, runs) for edge in (np.array(each.low), np.array(each.high))]
-    axes.y = lane.focus or _limits(shown, bands)
+    low, high = lane.focus or _limits(shown, bands)
+    several = len(runs) > 1 and lane.focus is None
+    missed = [(index, found) for index, run in present if several and (found := _violations(lane, run))]
+    strip = strip_of(len(missed), axes.height)
+    axes.y = low, high + (high - low) * strip / (1.0 - strip)
     draw_bands(axes, bands)
     draw_corridors(axes, corridors_of(lane, runs))
+    draw_strip(axes, missed, strip)
     for index, run in reversed(present):
         _draw_run(axes, lane, run, index, alone=len(runs) == 1)
 
@@ -203,16 +220,20 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
         last = (float(time[-1]), float(values[-1]))
         broke = run.trace.fault is not None
         axes.add(Dot(*last, "cross", colour, 6.0, z=6) if broke else Dot(*last, "circle", colour, 4.2, z=6))
-    violations = [
-        each.violation
-        for each in run.verdicts
-        if each.violation and not set(lane.names).isdisjoint(each.requirement.signals)
-    ]
-    draw_violations(axes, violations, None if alone else (index, colour))
+    if alone:
+        draw_violations(axes, _violations(lane, run))
     if alone and run.trace.fault is not None:
         _mark_fault(axes, run.trace.fault.tick / 1e9, run.duration)
     if alone:
         _mark_undefined(axes, lane, run.trace)
+
+
+def _violations(lane: Lane, run: Shown) -> list[Interval]:
+    return [
+        each.violation
+        for each in run.verdicts
+        if each.violation and not set(lane.names).isdisjoint(each.requirement.signals)
+    ]
 
 
 def bands_of(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:
@@ -238,7 +259,8 @@ def _limits(values: Sequence[Values], bands: Mapping[Band, Sequence[str]]) -> tu
     for limit in (limit for band in bands for limit in (band.low, band.high) if limit is not None):
         if worth_showing(limit, low, high):
             low, high = min(low, limit), max(high, limit)
-    margin = 0.08 * (high - low) or 0.1 * abs(high) or 1.0
+    moves = high - low > NOISE * max(abs(low), abs(high))
+    margin = 0.08 * (high - low) if moves else 0.1 * abs(high) or 1.0
     return low - margin, high + margin
 
 

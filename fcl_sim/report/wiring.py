@@ -37,8 +37,8 @@ def picture(wiring: Wiring, title: str) -> Picture:
     caption = (
         f"{one_line(title)}: blocks in the order of their execution, with their signals and units. "
         "The plant stands twice, as it is read and as it is written; what a block reads of the last scan "
-        "comes by a dashed wire, or is named in it where that would run back. "
-        "Blocks outside of the controller are shaded."
+        "comes by a dashed wire, or is named in it where that would run back; a constant is named where it "
+        "is read. Blocks outside of the controller are shaded."
     )
     drawing = laid_out(wiring)
     return Picture(

@@ -1,19 +1,20 @@
 """Where the boxes and wires of a wiring stand: columns of boxes, and between them channels of tracks.
 
 Boxes stand in the order of the scan: the plant as it is read, then each block one
-column behind the last of its sources, then the plant as it is written. A signal
-has a track of its own in every channel that it passes. What leaves a column, what
-enters it and what passes it keep different places on a grid, so that no two
-signals ever share a line. All lengths are in mm.
+column behind the last of its sources, then the plant as it is written. A constant
+stands where it is read. A signal has a track of its own in every channel that it
+passes. What leaves a column, what enters it and what passes it keep different
+places on a grid, so that no two signals ever share a line. All lengths are in mm.
 """
 
 from collections.abc import Container, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from math import floor
 
-from fcl_sim.loop.diagram import Wire
+from fcl_sim.loop.diagram import Node, Wire
 from fcl_sim.loop.settings import AnyNode, signals_of, waits_for
 from fcl_sim.loop.wiring import Wiring
+from fcl_sim.report.constants import told
 from fcl_sim.report.lettering import text_width
 from fcl_sim.report.style import HINTED, NORMAL, SMALL
 
@@ -51,14 +52,14 @@ class Box:
     exits: Sequence[Port] = ()
     left: float = 0.0
     top: float = 0.0
-    width: float = field(init=False)
 
-    def __post_init__(self) -> None:
-        """Make it as wide as its texts."""
+    @property
+    def width(self) -> float:
+        """Its width, which its texts need."""
         ports = max((text_width(each.text, SMALL) for each in self.entries), default=0.0)
         ports += max((text_width(each.text, SMALL) for each in self.exits), default=0.0) + 2 * PAD
         texts = (text_width(self.title, NORMAL), text_width(self.text, SMALL), ports)
-        self.width = max(texts) * HINTED + 2 * PAD
+        return max(texts) * HINTED + 2 * PAD
 
     @property
     def rows(self) -> int:
@@ -139,11 +140,14 @@ def _boxes(wiring: Wiring) -> list[Box]:
     names = [f"{plant.name}.{each.name}" for each in plant.model.declaration.outputs]
     read = {wiring.resolve(each).source for node in wiring.order for each in node.inputs.values()}
     names += [name for name in plant.signals if name in read and name not in names]
-    columns = dict.fromkeys(names, 0)
+    constants = _constants(wiring)
+    columns = dict.fromkeys((*names, *constants), 0)
     written = wiring.diagram.timing.latency
     exits = [_exit(wiring, name, name.removeprefix(f"{plant.name}.")) for name in names]
     boxes = [Box(title=plant.name, text="read", kind=READ, column=0, exits=exits)]
     for number, node in enumerate(wiring.order, start=1):
+        if node.name in constants:
+            continue
         prompt = waits_for(node, wiring.diagram.timing)
         sources = [wiring.resolve(each).source for each in prompt]
         column = 1 + max((columns[each] for each in sources), default=0)
@@ -151,6 +155,9 @@ def _boxes(wiring: Wiring) -> list[Box]:
         before = {signal for signal, other in columns.items() if other < column}
         boxes.append(_block(wiring, number, node, column, prompt, before))
     taken = [_entry(wiring, port, each) for port, each in plant.inputs.items()]
+    for box in boxes:
+        box.entries = [_told(each, constants) for each in box.entries]
+    taken = [_told(each, constants) for each in taken]
     told = f"written {written / 1e6:g} ms later" if written else "written"
     last = 1 + max(each.column for each in boxes)
     return [*boxes, Box(title=plant.name, text=told, kind=WRITTEN, column=last, entries=taken)]
@@ -173,6 +180,27 @@ def _block(
     return Box(
         title=f"{number}  {node.name}", text=kind, kind=place, column=column, entries=entries, exits=exits
     )
+
+
+def _constants(wiring: Wiring) -> dict[str, str]:
+    """Return the constants that anything reads, each with its value."""
+    wires = [each for node in wiring.order for each in node.inputs.values()]
+    wires += wiring.diagram.plant.inputs.values()
+    read = {wiring.resolve(each).source for each in wires}
+    return {
+        node.name: told(node.parameters["value"])
+        for node in wiring.order
+        if isinstance(node, Node) and node.type == "constant" and node.name in read
+    }
+
+
+def _told(port: Port, constants: Mapping[str, str]) -> Port:
+    """Return a port, with what it reads where that is a constant."""
+    if port.signal not in constants:
+        return port
+    name = port.signal.rpartition(".")[2]
+    between = "" if port.text == name else f" ← {name}"
+    return Port(f"{port.text}{between} = {constants[port.signal]}")
 
 
 def _exit(wiring: Wiring, signal: str, name: str) -> Port:

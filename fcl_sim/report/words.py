@@ -13,6 +13,15 @@ NO_BREAK = "\N{NO-BREAK SPACE}"
 
 EXPONENT = re.compile(r"e\+?(-?)0*")
 
+BLANKS = re.compile(f"[^\\S{NO_BREAK}]+")
+"""Blanks and ends of lines, at which a line may be broken."""
+
+QUANTITY = re.compile(r"(?<![\w.-])(-?\d[\d.]*(?:e[+-]?\d+)?)( (?=[^\W\d]|[%°]))?")
+"""A number, and the blank before its unit."""
+
+WRITTEN, COMPUTED = 12, 9
+"""A number of more digits than anybody writes was computed, and is told with so many."""
+
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
 """Characters that no page can show: a TOML key or an FCL comment may hold them."""
 
@@ -23,8 +32,8 @@ def plain(text: str) -> str:
 
 
 def one_line(text: str) -> str:
-    """Return text on one line, as a label or a table's cell needs it."""
-    return " ".join(plain(text).split())
+    """Return text on one line, as a label or a table's cell needs it; what must not part stays together."""
+    return BLANKS.sub(" ", plain(text)).strip()
 
 
 def number(value: float, digits: int = 4) -> str:
@@ -40,13 +49,27 @@ def with_unit(value: float, unit: str, digits: int = 4) -> str:
 
 
 def exactly(value: float, unit: str) -> str:
-    """Return a number that the user wrote with all its digits, and its unit."""
-    return _joined(printed(wording.exactly(value, "")), unit)
+    """Return a number that the user wrote with all its digits, and its unit; a computed one is rounded."""
+    digits = wording.exactly(value, "")
+    if sum(each.isdigit() for each in EXPONENT.split(digits)[0].lstrip("-0.")) > WRITTEN:
+        digits = wording.exactly(float(f"{value:.{COMPUTED}g}"), "")
+    return _joined(printed(digits), unit)
 
 
 def printed(digits: str) -> str:
     """Return a number of Python's as it is printed: `1e-05` as `1e−5`."""
     return EXPONENT.sub(r"e\1", digits).replace("-", MINUS)
+
+
+def together(text: str) -> str:
+    """Return text whose numbers have a true minus sign and do not part from their units; code stays code."""
+    parts = text.split("`")
+    told = [each if at % 2 else QUANTITY.sub(_quantity, each) for at, each in enumerate(parts)]
+    return "`".join(told)
+
+
+def _quantity(found: re.Match[str]) -> str:
+    return printed(found[1]) + (NO_BREAK if found[2] else "")
 
 
 def _joined(digits: str, unit: str) -> str:
@@ -86,7 +109,7 @@ def figure(asked: Requirement, measured: float) -> str:
     limits = [each for each in (asked.minimum, asked.maximum) if each is not None]
     near = min(limits, key=lambda each: abs(each - measured), default=None)
     if asked.formula is not None or asked.corridor is not None:
-        return f"margin {_joined(printed(wording.number(measured, near=0.0)), asked.unit)}"
+        return f"margin{NO_BREAK}{_joined(printed(wording.number(measured, near=0.0)), asked.unit)}"
     return _joined(printed(wording.number(measured, near=near)), asked.unit)
 
 

@@ -1,13 +1,29 @@
 """Which rules fire when: no firing is lost in the picture, whoever dominates has a line, texts are told."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fcl_sim.report import activation
-from fcl_sim.report.canvas import Image, Line, Shape
-from tests.report.synthetic import crane, of_all_rules, run, trace
+from fcl_sim.report.canvas import Image, Line, Shape, Text
+from tests.report.legible import clashes, cut
+from tests.report.synthetic import LONG, crane, of_all_rules, run, trace
+
+
+@pytest.fixture(scope="module")
+def firing_of():
+    def made(texts):
+        """Return a firing of rules with such texts."""
+        nothing = np.zeros((3, len(texts)))
+        labels = tuple(str(each) for each in range(len(texts)))
+        return activation.Firing(
+            labels=labels, texts=tuple(texts), time=np.arange(3.0), degrees=nothing, dominant=nothing > 0.0
+        )
+
+    return made
 
 
 @pytest.fixture
@@ -61,3 +77,25 @@ def test_the_largest_degree_is_in_the_picture_however_coarse(degrees, count):
 def test_each_rule_base_is_shown_by_the_first_run_that_uses_it(tmp_path):
     first, second = run(tmp_path), run(tmp_path, "again")
     assert activation.first_users([first, second]) == [first]
+
+
+def test_a_long_rule_takes_lines_and_is_never_cut(firing):
+    long = "IF " + " AND ".join(f"{LONG} IS term_{each}" for each in range(4)) + " THEN valve IS open"
+    texts = (firing.texts[0], long, *firing.texts[2:])
+    drawn = activation.draw(replace(firing, texts=texts), firing.idle)
+    written = [each.text for each in drawn.axes[0].of(Text)]
+    shown = ["".join(each.split()) for each in written]
+    assert "".join(activation.brief(long).split()) in shown
+    assert not any("…" in each for each in written)
+    assert cut(drawn) == []
+    assert clashes(drawn) == []
+
+
+@given(st.lists(st.integers(1, 8), min_size=1, max_size=150))
+@settings(max_examples=30)
+def test_rules_are_parted_into_pages_that_hold_them(firing_of, words):
+    made = firing_of(["IF " + " AND ".join(["distance IS somewhat_far"] * each) for each in words])
+    parted = activation._parted(made)
+    assert [row for each in parted for row in range(len(words))[each]] == list(range(len(words)))
+    for each in parted:
+        assert activation._edges(made.rows(each))[-1] <= activation.MOST_ROWS

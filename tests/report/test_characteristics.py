@@ -241,3 +241,18 @@ def test_of_a_run_that_stays_on_the_map_nothing_is_said():
 def test_it_is_told_how_a_run_is_outside(x, sentence):
     values = np.array(x)
     assert told(values, np.zeros(len(x)), (0.0, 1.0), (0.0, 1.0)) == sentence
+
+
+APART = THREE_INPUTS.replace(
+    "RULE 1: IF a IS lo AND b IS lo AND c IS lo THEN u IS small, v IS large;\n"
+    "    RULE 2: IF a IS hi OR b IS hi OR c IS hi THEN u IS large, v IS small;",
+    "RULE 1: IF a IS lo AND b IS lo THEN u IS small; RULE 2: IF a IS hi OR b IS hi THEN u IS large;"
+    "RULE 3: IF b IS lo AND c IS lo THEN v IS small; RULE 4: IF b IS hi OR c IS hi THEN v IS large;",
+)
+
+
+def test_each_output_is_drawn_over_the_inputs_that_move_it():
+    block = loads(APART, "mixer.fcl")
+    u, v = characteristic(block, {}, "mixer")
+    assert u.caption.startswith("u over a and b; c = 0.5 held")
+    assert v.caption.startswith("v over b and c; a = 0.5 held")

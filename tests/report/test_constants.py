@@ -4,9 +4,14 @@ from dataclasses import replace
 
 import pytest
 
+from fcl_sim.diagnostics import Source, Span
 from fcl_sim.loop.diagram import Node, Wire
+from fcl_sim.plant import State
 from fcl_sim.report import document
-from fcl_sim.report.constants import block_rows, plant_rows, told
+from fcl_sim.report.constant_rows import block_rows, plant_rows
+from fcl_sim.report.constants import told
+from fcl_sim.scenario.model import PlantSetup
+from fcl_sim.toml.tree import Entry
 from fcl_sim.units import Quantity, parse_unit
 from tests.report.synthetic import outcome, run
 
@@ -69,3 +74,54 @@ def test_the_document_has_them_for_every_run(tmp_path, base):
     assert variant["plant"]["states"][0]["value"] == -25.0
     delay = variant["blocks"][1]
     assert (delay["given"], delay["wired"]) == ({"time": "3 s"}, {"input": "crane.distance"})
+
+
+def setup(start):
+    """Return a scenario's plant that writes its start values so."""
+    place = Span(Source("x.toml", ""), 0, 0)
+    entry = {name: Entry(value, place, place) for name, value in start.items()}
+    model = Entry("crane", place, place)
+    return PlantSetup(model=model, name="crane", parameters={}, start=entry, inputs={}, span=place)
+
+
+def test_a_value_is_told_in_the_unit_in_which_the_scenario_writes_it(base):
+    plant = replace(base.plant, start={"position": -7.5})
+    assert plant_rows(plant, setup({"position": "-750 cm"}))[1]["value"] == f"−750{SPACE}cm"
+    assert plant_rows(plant, setup({"position": "-7 m"}))[1]["value"] == f"−7.5{SPACE}m"
+
+
+def test_a_computed_value_is_told_without_the_digits_of_its_machine(base):
+    plant = replace(base.plant, start={"position": -1e-3 / 3.0})
+    assert plant_rows(plant)[1]["value"] == f"−0.000333333333{SPACE}m"
+
+
+def cells(base, values):
+    """Return a plant with so many states that differ in number and value alone."""
+    states = tuple(State(f"cell_{place}", "degC", value, "belt") for place, value in enumerate(values))
+    model = replace(
+        base.plant.model, declaration=replace(base.plant.model.declaration, states=states, parameters=())
+    )
+    return replace(base.plant, model=model, start={}, parameters={})
+
+
+@pytest.mark.parametrize(
+    ("values", "value", "meaning"),
+    [
+        ([30.0 + 10.0 * each for each in range(12)], "30 degC … 140 degC", "belt, 12 values in equal steps"),
+        ([30.0] * 12, "30 degC", "belt, each"),
+        ([30.0, 35.0, 20.0, 80.0, 31.0, 40.0], "20 degC … 80 degC", "belt, 6 values between these"),
+    ],
+)
+def test_the_cells_of_a_belt_share_a_row(base, values, value, meaning):
+    cell, *_ = plant_rows(cells(base, values))
+    assert cell["name"] == f"cell_0 … cell_{len(values) - 1}"
+    assert (cell["value"].replace(SPACE, " "), cell["meaning"]) == (value, meaning)
+
+
+def test_a_cell_that_the_scenario_sets_stands_alone(base):
+    plant = replace(cells(base, [30.0] * 20), start={"cell_9": 50.0})
+    assert [each["name"] for each in plant_rows(plant)][:3] == [
+        "cell_0 … cell_8",
+        "cell_9",
+        "cell_10 … cell_19",
+    ]

@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 from itertools import combinations
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fcl_sim.block import load
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.explain import Activated, Explanation, Origin
 from fcl_sim.engine.instance import Instance
@@ -367,3 +369,12 @@ def test_an_input_kept_in_its_range_shows_its_value_and_where_its_degrees_are_ta
     assert [line.x[0] for line in lines(axes, "value") + lines(axes, "clamped")] == [12.0, 10.0]
     assert dots(axes) == [(10.0, 1.0)]
     assert "distance = 12, taken as 10" in written(figure)
+
+
+def test_no_label_of_the_oven_is_cut_though_its_rules_have_four_inputs():
+    block = load(Path(__file__).parents[2] / "scenarios" / "oven" / "oven_completed.fcl")
+    values = {"humidity": 49.67, "color.brown": 0.9257, "color.light": 0.04998, "color.dark": 0.02429}
+    explanation = block.explain(**values)
+    figure = draw(block.function_block, explanation, {})
+    assert not [each for each in written(figure) if "…" in each]
+    assert clashes(figure) == []

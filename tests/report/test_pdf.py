@@ -154,7 +154,7 @@ def test_the_values_of_plant_and_blocks_are_told(text):
 
 
 def test_what_the_check_finds_stands_with_the_rule_base(text):
-    assert bare("warning FCL608 6 no rule asks for `too_far` of `distance`") in text
+    assert bare("warning FCL608 6 no rule asks for too_far of distance") in text
 
 
 def test_the_words_of_every_figure_can_be_searched(text):

@@ -5,7 +5,8 @@ from math import cos, radians, sin
 import numpy as np
 import pytest
 
-from fcl_sim.report.sketch import Group, Motion, Piece, sketches_of
+from fcl_sim.report.plant_sketches import sketches_of
+from fcl_sim.report.sketch import Group, Motion, Piece
 from tests.report.html.pages import driven
 from tests.report.synthetic import run
 

@@ -10,10 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fcl_sim.judge.verdict import Band, Corridor, Status
+from fcl_sim.loop.diagram import Node
 from fcl_sim.report.bands import apart, focus_on
-from fcl_sim.report.canvas import Line, Shape
+from fcl_sim.report.canvas import Axes, Line, Shape
 from fcl_sim.report.pictures import over_time
-from fcl_sim.report.style import COLOURS, VIOLATION
+from fcl_sim.report.style import VIOLATION, stroke
 from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, of_formula, requirement, run, trace, verdict, verdicts
@@ -122,10 +123,23 @@ def test_a_violation_is_shaded_from_its_start_to_its_end():
     assert spans(figure(shown("settles")), VIOLATION) == []
 
 
-def test_of_several_runs_each_marks_its_violation_in_its_colour():
-    drawn = figure(shown("settles"), shown("swings", "raw"))
-    assert set(spans(drawn, COLOURS[1])) == {(35.0, 60.0)}
-    assert spans(drawn, COLOURS[0]) == []
+def strokes(figure) -> list[tuple[Axes, Line]]:
+    return [(axes, each) for axes in figure.axes for each in axes.of(Line) if each.label == "violation"]
+
+
+def test_of_several_runs_each_marks_its_violation_with_its_stroke():
+    drawn = strokes(figure(shown("settles"), shown("swings", "raw")))
+    assert {tuple(each.x) for _, each in drawn} == {(35.0, 60.0)}
+    assert {(each.colour, each.dashes) for _, each in drawn} == {stroke(1)}
+
+
+@pytest.mark.parametrize("count", [2, 5, 40])
+def test_marks_of_violations_never_cover_a_line(count):
+    drawn = strokes(figure(*(shown("swings", f"run {each}") for each in range(count))))
+    assert len({float(each.y[0]) for _, each in drawn}) == count
+    for axes, each in drawn:
+        lines = [line for line in axes.of(Line) if line.label == "run"]
+        assert max(np.max(line.y) for line in lines) < each.y[0] < axes.y[1]
 
 
 def test_a_violated_formula_is_shaded_in_all_of_its_signals():
@@ -198,3 +212,41 @@ def test_a_signal_that_never_changes_is_told_instead_of_drawn(tmp_path):
     (picture,) = over_time(run(tmp_path, trace=replace(found, values=values)))
     assert "setpoint" not in [each.label for each in picture.draw().axes]
     assert picture.caption.endswith(" Constant: setpoint = 2.5\N{NO-BREAK SPACE}m.")
+
+
+def wired(made, *nodes):
+    """Return a run with some sources before its rules, whose trace has a setpoint and a signal to spare."""
+    found = trace(names=("crane.distance", "crane.sway", "setpoint", "spare"))
+    values = found.values.copy()
+    values[:, 2] += 1.0
+    diagram = replace(made.diagram, nodes=(*nodes, *made.diagram.nodes))
+    return replace(made, diagram=diagram, trace=replace(found, values=values), verdicts=(verdict(),))
+
+
+def test_a_run_shows_what_is_asked_of_it_and_what_is_set_and_names_the_rest(tmp_path):
+    source = Node(name="setpoint", type="staircase", inputs={}, parameters={})
+    noise = Node(name="spare", type="noise", inputs={}, parameters={})
+    base = wired(run(tmp_path), source, noise)
+    (picture,) = over_time(base)
+    assert [each.label for each in picture.draw().axes] == ["crane.distance", "crane.distance", "setpoint"]
+    assert picture.caption.endswith(" Recorded and not drawn: crane.sway and spare.")
+    (again,) = over_time(replace(base, variant="again"), base)
+    assert [each.label for each in again.draw().axes] == ["crane.distance", "crane.distance"]
+    assert " As in the base run: setpoint." in again.caption
+
+
+def test_a_run_of_which_nothing_is_asked_shows_every_signal(tmp_path):
+    made = run(tmp_path)
+    bare = replace(made, verdicts=(), diagram=replace(made.diagram, nodes=()))
+    (picture,) = over_time(bare)
+    assert "drawn" not in picture.caption
+    assert len(picture.draw().axes) == len(lanes(replace(shown(), verdicts=())))
+
+
+def test_a_signal_that_moves_by_the_grain_of_binary32_is_at_rest(tmp_path):
+    names = ("crane.distance", "crane.sway", "rules.gain", "controller.rules.power")
+    found = trace(names=names)
+    values = found.values.copy()
+    values[:, 2] = 24.0 + 1e-6 * np.sin(found.time)
+    (picture,) = over_time(run(tmp_path, trace=replace(found, values=values)))
+    assert " Constant: rules.gain = 24" in picture.caption

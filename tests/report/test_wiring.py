@@ -151,3 +151,18 @@ def test_what_is_read_of_the_last_scan_comes_from_the_plant_by_a_dashed_wire():
         each for each in draw(delayed()).axes[0].marks if isinstance(each, Line) and each.dashes == LATE
     ]
     assert len(dashed) == 4
+
+
+def test_a_constant_stands_with_its_value_where_it_is_read():
+    loop = crane(timing=timing())
+    nodes = (
+        node("calm", "constant", value="12.5 kW"),
+        node("both", "sum", {"calm": "calm", "rest": "calm"}, calm=1, rest=1),
+    )
+    drawing = laid_out(wire(replace(loop, nodes=(*nodes, *loop.nodes))))
+    (box,) = [each for each in drawing.boxes if each.title.endswith("both")]
+    value = "12.5\N{NO-BREAK SPACE}kW"
+    assert [port.text for port in box.entries] == [f"calm = {value}", f"rest ← calm = {value}"]
+    assert not any("calm" in each.title for each in drawing.boxes)
+    widest = max(text_width(port.text, style.SMALL) for port in box.entries)
+    assert box.width > HINTED * widest + 2 * PAD

@@ -16,6 +16,7 @@ from fcl_sim.report.words import (
     number,
     one_line,
     plain,
+    together,
     value,
     with_unit,
 )
@@ -53,6 +54,19 @@ def test_a_number_has_a_true_minus_sign_and_zero_has_none(x):
 )
 def test_numbers_that_are_special(x, text):
     assert number(x) == text
+
+
+@pytest.mark.parametrize(
+    ("written", "text"),
+    [
+        ("position = -40 m", "position = −40\N{NO-BREAK SPACE}m"),
+        ("load_mass = 10 t, x2 = 5, k = -1e-05", "load_mass = 10\N{NO-BREAK SPACE}t, x2 = 5, k = −1e−5"),
+        ("`x == -10 m` at -3 s", "`x == -10 m` at −3\N{NO-BREAK SPACE}s"),
+        ("a-1 is 3.5 %", "a-1 is 3.5\N{NO-BREAK SPACE}%"),
+    ],
+)
+def test_numbers_in_a_text_have_a_true_minus_sign_and_do_not_part_from_their_units(written, text):
+    assert together(written) == text
 
 
 @pytest.mark.parametrize(
@@ -121,7 +135,7 @@ def test_counts_and_lists_read_as_a_sentence():
 def test_of_a_formula_is_asked_that_it_holds_and_its_robustness_is_measured():
     found = of_formula("always crane.sway < 3 deg")
     assert bound(found.requirement) == "the formula holds"
-    assert value(found) == "margin 0.5\N{NO-BREAK SPACE}deg"
+    assert value(found) == "margin\N{NO-BREAK SPACE}0.5\N{NO-BREAK SPACE}deg"
 
 
 def test_a_run_that_ended_early_is_told_with_its_time_signal_and_reason(tmp_path):

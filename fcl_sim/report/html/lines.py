@@ -9,11 +9,13 @@ from fcl_sim.judge.verdict import Band, Corridor
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord, Trace, Values
 from fcl_sim.model.labels import unique_labels
+from fcl_sim.report import style
 from fcl_sim.report.html.maps import characteristics
 from fcl_sim.report.html.pack import Pack
 from fcl_sim.report.pictures import view_of
+from fcl_sim.report.plant_sketches import sketches_of
 from fcl_sim.report.provenance import fuzzy_nodes
-from fcl_sim.report.sketch import Group, Motion, Piece, Sketch, sketches_of
+from fcl_sim.report.sketch import Amount, Delayed, Group, Motion, Paint, Piece, Sketch, Tint
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes
 from fcl_sim.report.words import one_line
@@ -182,18 +184,40 @@ def _sketch(sketch: Sketch) -> Json:
     return {
         "low": sketch.low,
         "high": sketch.high,
+        "hasScale": sketch.has_scale,
         "about": one_line(sketch.about),
         "parts": [_part(each) for each in sketch.group.parts],
+        "readings": [
+            {"at": each.at, "signal": each.signal, "word": each.word, "on": each.on}
+            for each in sketch.readings
+        ],
+        "warmth": style.WARMTH,
     }
 
 
 def _part(part: Piece | Group) -> Json:
     if isinstance(part, Piece):
-        return {"points": part.points, "role": part.role, "closed": part.closed}
-    motions: Mapping[str, Motion | None] = {"across": part.across, "turn": part.turn, "grow": part.grow}
-    moved = {
-        word: {"signal": each.signal, "factor": each.factor}
-        for word, each in motions.items()
-        if each is not None
+        return {"points": part.points, "role": part.role, "closed": part.closed, **_colour(part)}
+    motions: Mapping[str, Motion | None] = {
+        "across": part.across,
+        "turn": part.turn,
+        "grow": part.grow,
+        "rise": part.rise,
     }
-    return {**moved, "parts": [_part(each) for each in part.parts]}
+    moved = {word: _amount(each) for word, each in motions.items() if each is not None}
+    return {**moved, "at": part.at, "parts": [_part(each) for each in part.parts]}
+
+
+def _colour(piece: Piece) -> Json:
+    colour = piece.colour
+    if isinstance(colour, Paint):
+        return {"paint": [_amount(each) for each in colour.parts]}
+    if isinstance(colour, Tint):
+        return {"tint": {"value": _amount(colour.value), "low": colour.low, "high": colour.high}}
+    return {}
+
+
+def _amount(amount: Amount) -> Json:
+    if isinstance(amount, Delayed):
+        return {"signal": amount.signal, "flow": amount.flow, "amount": amount.amount}
+    return {"signal": amount.signal, "factor": amount.factor}

@@ -21,7 +21,7 @@ Json = dict[str, Any]
 def characteristics(
     block: Block, units: Mapping[str, str], records: Sequence[FuzzyRecord], pack: Pack
 ) -> list[Json]:
-    """Return each output of a block over what its runs `records` moved most, wide enough for all of them."""
+    """Return each output of a block over what moves it most in its runs `records`, wide enough for all."""
     inputs = sampling.domains(block.function_block, units)
     seen = {each.name: np.concatenate([_seen(record, each) for record in records]) for each in inputs}
     unit_of = {name.casefold(): unit for name, unit in units.items()}

@@ -34,6 +34,14 @@ def joined(*children: Child) -> Markup:
     return Markup("".join(_text(each) for each in children))
 
 
+def prose(text: str) -> Markup:
+    """Return a text in which what stands between two backticks is code; a lone backtick is itself."""
+    parts = text.split("`")
+    if len(parts) % 2 == 0 or "" in parts[1::2]:
+        return joined(text)
+    return joined(*(element("code", each) if at % 2 else each for at, each in enumerate(parts)))
+
+
 def _text(child: Child) -> str:
     if child is None or isinstance(child, Markup):
         return child or ""

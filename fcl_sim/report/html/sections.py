@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from typing import Any
 
 from fcl_sim.report import baselines, beside, summary
-from fcl_sim.report.constants import block_rows, plant_rows
+from fcl_sim.report.constant_rows import block_rows, plant_rows
 from fcl_sim.report.content import facts_of, paragraphs, requirement_rows, run_text, run_title
 from fcl_sim.report.coverage_matrix import matrix
 from fcl_sim.report.envelopes import envelope_rows, envelope_text
-from fcl_sim.report.html.markup import Child, Markup, element, joined
+from fcl_sim.report.html.markup import Child, Markup, element, joined, prose
 from fcl_sim.report.rule_bases import Base
+from fcl_sim.report.setting import setup_of
 from fcl_sim.report.words import counted, one_line, plain
 from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.coverage import Coverage
@@ -122,7 +123,7 @@ def scenario(outcome: Outcome, number: int, data: str) -> Markup:
         "section",
         element("h2", title, " ", badge(str(outcome.verdict))),
         element("p", f"{counted(len(runs), 'run')}: {summary.tally(judged)}.", class_="tally"),
-        [element("p", each) for each in paragraphs(outcome.scenario.description)],
+        [element("p", prose(each)) for each in paragraphs(outcome.scenario.description)],
         _requirements(runs),
         element("div", class_="explorer", data_name=outcome.scenario.name),
         element("script", Markup(data), type="text/plain", class_="pack"),
@@ -148,14 +149,14 @@ def _requirement(row: dict[str, Any]) -> Markup:
         "th",
         element("b", row["id"]),
         " ",
-        row["text"],
+        prose(row["text"]),
         element(
             "span",
             f"{metric[:1].upper()}{metric[1:]} of {row['signal']}: ",
             element("b", row["bound"]),
             class_="asked",
         ),
-        element("span", definition, class_="definition"),
+        element("span", prose(definition), class_="definition"),
         scope="rowgroup",
         rowspan=len(row["results"]),
     )
@@ -170,7 +171,9 @@ def _requirement(row: dict[str, Any]) -> Markup:
             ),
             element("td", result["value"], class_="number"),
             element(
-                "td", badge(result["status"]), element("small", result["note"]) if result["note"] else None
+                "td",
+                badge(result["status"]),
+                element("small", prose(result["note"])) if result["note"] else None,
             ),
         )
         for at, result in enumerate(row["results"])
@@ -193,6 +196,10 @@ def _further(outcome: Outcome, runs: Sequence[Run]) -> Markup:
     )
 
 
+PLANT = ("Plant", "Value", "What it is", "Where it is from", "Limits")
+BLOCKS = ("Block", "Type", "Set to", "As its type has it")
+
+
 def _constants(outcome: Outcome) -> Markup:
     """Return the values of the plant and of the blocks in the base run."""
     diagram = outcome.base.diagram
@@ -204,12 +211,12 @@ def _constants(outcome: Outcome) -> Markup:
             row["source"],
             row["limits"],
         ]
-        for row in plant_rows(diagram.plant)
+        for row in plant_rows(diagram.plant, setup_of(outcome, outcome.base))
     ]
     blocks = [[row["name"], row["type"], "; ".join(row["given"]), row["left"]] for row in block_rows(diagram)]
     return joined(
-        table(("Plant", "Value", "What it is", "Where it is from", "Limits"), plant) if plant else None,
-        table(("Block", "Type", "Set to", "As its type has it"), blocks) if blocks else None,
+        table(PLANT, plant, kind="constants") if plant else None,
+        table(BLOCKS, blocks, kind="constants") if blocks else None,
     )
 
 
@@ -257,7 +264,7 @@ def _envelope(run: Run) -> Markup | None:
     return _details(
         f"Envelope of run {one_line(run.variant)}",
         element("p", envelope_text(run, run.envelope)),
-        table(("Requirement", "Asked", "Passed", "Worst", "Verdict"), rows),
+        table(("Requirement", "Asked", "Passed", "Worst", "Verdict"), rows, kind="envelope"),
     )
 
 

@@ -2,10 +2,11 @@
 
 from html.parser import HTMLParser
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fcl_sim.report.html.markup import element, joined
+from fcl_sim.report.html.markup import element, joined, prose
 
 TEXTS = st.text(st.characters(exclude_characters="\r\x00", exclude_categories=["Cs"]))
 
@@ -42,3 +43,16 @@ def test_markup_stays_markup_and_nothing_is_left_out_of_a_row():
     row = [element("b", "<"), None, "&"]
     assert joined("a", row) == "a<b>&lt;</b>&amp;"
     assert element("p", row, "z") == "<p><b>&lt;</b>&amp;z</p>"
+
+
+@pytest.mark.parametrize(
+    ("text", "html"),
+    [
+        ("in run `real`, `x`", "in run <code>real</code>, <code>x</code>"),
+        ("`<b>` is text", "<code>&lt;b&gt;</code> is text"),
+        ("a ` alone", "a ` alone"),
+        ("`` is nothing", "`` is nothing"),
+    ],
+)
+def test_what_stands_between_backticks_is_code(text, html):
+    assert prose(text) == html

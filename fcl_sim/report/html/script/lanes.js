@@ -4,6 +4,8 @@ const WIDE = 1000;
 const FAR = 1.5;
 const ROOM = 0.08;
 const MOST_NAMED = 8;
+const BAR = 3; // from one bar of violations to the next, in pixels
+const MOST_BARS = 0.3; // what they take of a lane, at most
 const LETTERS = 0.95; // height of a label, in the unit of the heights in page.css
 
 /** Put the two labels that lie closest together into one. */
@@ -153,6 +155,10 @@ class Lane {
     this.groups.forEach((group, index) => group.classList.toggle("chosen", index === state.chosen));
     this.olderGroups.forEach((group, i) => group.classList.toggle("off", !state.shown.has(this.scenario.older[i].mark)));
     [this.low, this.high] = this.limits(state, isShown);
+    this.missed = this.told.focus ? [] : this.scenario.runs.map((_, index) => index).filter((index) => isShown(index) && this.broken(index).length);
+    const strip = Math.min((BAR * (this.missed.length + 0.5)) / (this.told.judged ? 104 : 64), MOST_BARS);
+    if (this.missed.length) this.high += ((this.high - this.low) * strip) / (1 - strip);
+    this.strip = strip;
     const [top, foot] = [this.down(this.high), this.down(this.low)];
     const [left, right] = [this.across(from), this.across(to)];
     this.picture.setAttribute("viewBox", `${left} ${top} ${right - left} ${foot - top}`);
@@ -165,6 +171,12 @@ class Lane {
     this.drawUnder(state, isShown);
     this.drawIdle(state, left, right);
     this.describe(state, isShown);
+  }
+
+  /** Return when a run violates what is asked of the signal. */
+  broken(index) {
+    const run = this.scenario.runs[index];
+    return run.told.violations.filter((each) => each.signals.some((name) => run.isSame(name, this.told.signal)));
   }
 
   limits(state, isShown) {
@@ -228,26 +240,25 @@ class Lane {
 
   drawUnder(state, isShown) {
     const [from, to] = state.window;
-    const place = (start, end, kind, top) => {
+    const place = (start, end, kind, top = null) => {
       const [left, right] = [clamped(start, from, to), clamped(end, from, to)];
       if (right < left || end < from || start > to) return null;
       const made = html("div", { class: kind });
       made.style.left = `${(100 * (left - from)) / (to - from)}%`;
       made.style.width = `${(100 * (right - left)) / (to - from)}%`;
-      if (top !== undefined) made.style.top = `${top}px`;
+      if (top !== null) made.style.top = `${100 * top}%`;
       return made;
     };
     const under = [];
     const over = [];
-    let bars = 0;
     this.scenario.runs.forEach((run, index) => {
       if (!isShown(index)) return;
-      const broken = run.told.violations.filter((each) => each.signals.some((name) => run.isSame(name, this.told.signal)));
-      for (const each of broken) {
+      const row = this.missed.indexOf(index);
+      for (const each of this.broken(index)) {
         if (index === state.chosen) under.push(place(each.from, each.to, "violated"));
-        over.push(place(each.from, each.to, `violation ${look(index)}`, 1 + 3 * bars));
+        const top = (this.strip * (row + 0.4)) / (this.missed.length + 0.5);
+        if (row >= 0) over.push(place(each.from, each.to, `violation ${look(index)}`, top));
       }
-      bars += broken.length ? 1 : 0;
       if (index !== state.chosen || !run.told.fault) return;
       const { time } = run.told.fault;
       under.push(place(time, this.scenario.end, "rest"));

@@ -44,7 +44,8 @@ class Characteristic {
     const lines = [this.halo, this.ahead, this.path, this.lost];
     this.picture = svg("svg", { viewBox: `0 0 ${WIDE} ${WIDE}`, preserveAspectRatio: "none", role: "img" }, this.back, lines);
     this.spot = html("i", { class: "spot" });
-    this.plot = html("div", { class: "map-plot" }, this.canvas, this.picture, this.spot);
+    this.exits = html("div", { class: "exits", "aria-hidden": "true" });
+    this.plot = html("div", { class: "map-plot" }, this.canvas, this.picture, this.exits, this.spot);
     this.up = html("div", { class: "lane-up", "aria-hidden": "true" });
     this.across = html("div", { class: "lane-axis", "aria-hidden": "true" });
     this.reading = html("span", { class: "map-reading" });
@@ -164,6 +165,7 @@ class Characteristic {
     const across = run.lineOf(block.inputs[inputOf(block, told.across.input)]);
     const up = this.isMap ? run.lineOf(block.inputs[inputOf(block, told.up.input)]) : output;
     this.drawWay(across, up, at, block.idle[told.output] || []);
+    this.drawExits(across, up);
     const here = [across.at(at), up.at(at)];
     const [left, right, low, high] = this.limits;
     const part = [(here[0] - left) / (right - left), 1 - (here[1] - low) / (high - low)];
@@ -178,6 +180,20 @@ class Characteristic {
     const value = `${inputs.join(", ")} \u2192 ${withUnit(output.at(at), told.unit)}${isIdle ? ", no rule is active" : ""}${beyond}`;
     say(this.reading, value);
     describe(this.picture, `Characteristic: ${told.output} at ${seconds(at, run.told.scan)} s: ${value}`);
+  }
+
+  /** Draw an arrow head wherever the way goes out of the picture; anew only for another run or view. */
+  drawExits(across, up) {
+    const shown = `${this.limits} ${this.run.told.name}`;
+    if (this.shown === shown) return;
+    this.shown = shown;
+    const points = merged(across.times, up.times);
+    const found = exitsOf(Array.from(points, (time) => [across.at(time), up.at(time)]), this.limits);
+    this.exits.replaceChildren(...found.map(({ place: [x, y], side }) => {
+      const head = html("i", { class: side });
+      [head.style.left, head.style.top] = [`${100 * x}%`, `${100 * y}%`];
+      return head;
+    }));
   }
 
   drawWay(across, up, at, idle) {
@@ -210,6 +226,29 @@ class Characteristic {
     this.ahead.setAttribute("d", parts.after);
     this.halo.setAttribute("d", parts.before + parts.after);
   }
+}
+
+const APART = 0.06;
+
+/** Return where a way goes out of a picture, as parts of its width and height, and to which side; none beside another. */
+function exitsOf(points, [left, right, low, high]) {
+  const found = [];
+  const isIn = (point) => point.every((each) => each >= 0 && each <= 1);
+  let last = null;
+  for (const [x, y] of points) {
+    const now = [(x - left) / (right - left), (high - y) / (high - low)];
+    const isTold = !Number.isNaN(now[0] + now[1]);
+    if (last && isTold && isIn(last) && !isIn(now)) {
+      const way = [now[0] - last[0], now[1] - last[1]];
+      const ends = way.map((each, axis) => (each ? ((each > 0 ? 1 : 0) - last[axis]) / each : Infinity));
+      const axis = ends[0] <= ends[1] ? 0 : 1;
+      const place = last.map((each, at) => clamped(each + ends[axis] * way[at], 0, 1));
+      const side = [["left", "right"], ["up", "down"]][axis][way[axis] > 0 ? 1 : 0];
+      if (found.every((other) => Math.hypot(other.place[0] - place[0], other.place[1] - place[1]) >= APART)) found.push({ place, side });
+    }
+    last = isTold ? now : null;
+  }
+  return found;
 }
 
 /** Return the name of an input as a block has it: letter case does not count. */
