@@ -52,13 +52,16 @@ NOT_THERE = -1
 
 
 @inlined
-def fuzzify_in(ints: Ints, floats: Floats, at: int, joint: int, memory: Floats, base: int) -> int:
-    """Write the degrees of all input terms in a joint cell; return where its list begins, or NOT_THERE."""
+def fuzzify_in(ints: Ints, floats: Floats, at: int, joint: int, found: int, memory: Floats, base: int) -> int:
+    """Write the degrees of all input terms in a joint cell; return where its list begins, or NOT_THERE.
+
+    One that was `found` (1, else 0) is not doubted: NaN is in none.
+    """
     origin = ints[u(at + FLOATS)]
     for _ in range(ints[u(at + GRIDS)]):
         x = memory[u(base + ints[u(joint + MET_INPUT)])]
         cell = origin + ints[u(joint + MET_CELL)]
-        if not (floats[u(cell)] <= x <= floats[u(cell + 1)]):
+        if not (floats[u(cell)] <= x <= floats[u(cell + 1)]) and found == 0:
             return NOT_THERE
         joint += MET_SLOTS
         cell += EDGES_SIZE
@@ -118,12 +121,10 @@ def concluded(ints: Ints, entry: int, memory: Floats, base: int) -> tuple[float,
 def infer_jointly(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
     """Evaluate a program with a table of joint cells, as `infer` does."""
     joint = at + int(memory[u(base + ints[u(at + JOINT_HELD)])])
-    entry = NOT_THERE
-    for _ in range(2):
-        entry = fuzzify_in(ints, floats, at, joint, memory, base)
-        if entry >= 0:
-            break
+    entry = fuzzify_in(ints, floats, at, joint, 0, memory, base)
+    if entry == NOT_THERE:
         joint = moved_on(ints, floats, at, memory, base)
+        entry = fuzzify_in(ints, floats, at, joint, 1, memory, base)
     origin = ints[u(at + FLOATS)]
     output = at + ints[u(at + OUTPUT)]
     for _ in range(ints[u(at + OUTPUTS)]):
@@ -144,13 +145,12 @@ def infer_jointly(ints: Ints, floats: Floats, at: int, memory: Floats, base: int
                 moment += floats[u(places + term)] * degree
                 total += degree
                 terms -= 1
-        if total > 0.0:
-            memory[u(base + ints[u(output + OUT_ACTIVE)])] = 1.0
-            memory[u(base + ints[u(output + OUT_VALUE)])] = moment / total
-        else:
+        if total == 0.0:
             memory[u(base + ints[u(output + OUT_ACTIVE)])] = 0.0
             if ints[u(output + OUT_KEEP)] == 0:
-                memory[u(base + ints[u(output + OUT_VALUE)])] = floats[
-                    u(places + ints[u(output + OUT_TERMS)])
-                ]
+                value = floats[u(places + ints[u(output + OUT_TERMS)])]
+                memory[u(base + ints[u(output + OUT_VALUE)])] = value
+        else:
+            memory[u(base + ints[u(output + OUT_ACTIVE)])] = 1.0
+            memory[u(base + ints[u(output + OUT_VALUE)])] = moment / total
         output += OUTPUT_SIZE

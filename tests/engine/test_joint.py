@@ -106,6 +106,19 @@ def test_a_base_with_a_table_does_to_the_last_bit_what_it_does_without(precision
             assert seen(program, memory) == seen(program, other), (seed, point)
 
 
+@PRECISIONS
+def test_what_is_no_number_comes_to_what_it_does_without_a_table(precision):
+    program = assemble(CRANE, precision)
+    plain = without_table(program)
+    for point in ((np.nan, 4.0), (12.0, np.nan), (np.nan, np.nan), (12.0, 4.0)):
+        memory, other = program.initial.copy(), program.initial.copy()
+        memory[:2] = other[:2] = point
+        one_for(program)(program.ints, program.floats, memory)
+        one_for(plain)(plain.ints, plain.floats, other)
+        head = program.recorded
+        assert np.array_equal(memory[:head], other[:head], equal_nan=True), point
+
+
 def test_a_rule_that_is_taken_out_concludes_nothing_though_the_table_lists_it():
     program = assemble(CRANE)
     rule_six = program.rule_labels.index("6")
