@@ -121,10 +121,12 @@ def concluded(ints: Ints, entry: int, memory: Floats, base: int) -> tuple[float,
 def infer_jointly(ints: Ints, floats: Floats, at: int, memory: Floats, base: int) -> None:
     """Evaluate a program with a table of joint cells, as `infer` does."""
     joint = at + int(memory[u(base + ints[u(at + JOINT_HELD)])])
-    entry = fuzzify_in(ints, floats, at, joint, 0, memory, base)
-    if entry == NOT_THERE:
+    entry = NOT_THERE
+    for found in range(2):
+        entry = fuzzify_in(ints, floats, at, joint, found, memory, base)
+        if entry != NOT_THERE:
+            break
         joint = moved_on(ints, floats, at, memory, base)
-        entry = fuzzify_in(ints, floats, at, joint, 1, memory, base)
     origin = ints[u(at + FLOATS)]
     output = at + ints[u(at + OUTPUT)]
     for _ in range(ints[u(at + OUTPUTS)]):
