@@ -76,6 +76,7 @@ def test_an_interrupt_ends_the_copies_and_is_passed_on(tmp_path, monkeypatch):
     def interrupted() -> None:
         if os.getpid() == HERE:
             raise KeyboardInterrupt
+        time.sleep(0.05)  # a copy that is quick would leave nothing to do for this process
         written(tmp_path, 0)
 
     monkeypatch.setattr("fcl_sim.forked.os.fork", noted)
