@@ -42,12 +42,12 @@ RESOLUTION = 1e-13
 @inlined
 def rearm(ints: Ints, g: Floats, progress: Ints) -> None:
     """Arm the events that are not, or no longer, beyond zero in their direction."""
-    armed = progress[u(ARMED)]
     directions = ints[u(DIRECTIONS_AT)]
-    for i in range(ints[u(EVENTS)]):
+    i = 0
+    while i < ints[u(EVENTS)]:  # each written at once, so that they are read one by one (`loop.step`)
         if g[u(i)] * ints[u(directions + i)] <= 0.0:
-            armed |= 1 << i
-    progress[u(ARMED)] = armed
+            progress[u(ARMED)] |= 1 << i
+        i += 1
 
 
 @inlined
