@@ -63,13 +63,13 @@ def assemble(block: FunctionBlock, precision: Precision = LREAL) -> Program:
         p.ROWS: own.rows,
         p.STACK: own.stack,
         p.JOINT_HELD: own.held,
+        p.JOINT_PAIRS: laid[0].width // 2 if laid else 0,
         p.MORE: int(own.words > 1 or bool(own.brought) or bool(own.moved)),
     }
     for word, value in header.items():
         buffers.ints[word] = value
     buffers.ints[p.TOGETHER] = together(buffers.ints)
-    for word, value in zip((p.JOINT, p.JOINT_PAIRS), put_joint(buffers, codes, laid), strict=True):
-        buffers.ints[word] = value
+    buffers.ints[p.JOINT] = put_joint(buffers, codes, laid)
     buffers.floats[p.LIMIT], buffers.floats[p.TIE] = precision.limit, precision.tie
     initial = _initial(block, max(outputs.size, own.stack))
     initial[own.held] = buffers.ints[buffers.ints[p.JOINT]] if buffers.ints[p.JOINT] > 0 else 0

@@ -22,17 +22,17 @@ class Laid:
     met: list[list[int]]
 
 
-def put_joint(buffers: Buffers, codes: Sequence[Code], grids: Sequence[Laid]) -> list[int]:
-    """Append records and table; return the words of the header from JOINT on, but for JOINT_HELD.
+def put_joint(buffers: Buffers, codes: Sequence[Code], grids: Sequence[Laid]) -> int:
+    """Append records and table; return where the table begins, 0 where there is none.
 
-    There is no table, and these are 0, unless all rules are AND by MIN of terms
+    There is none unless all rules are AND by MIN of terms
     with constant points and conclude without a weight on singletons with
     constant places, which are accumulated by MAX and defuzzified by CoGS.
     """
     ints = buffers.ints
     concluded = _concluded(ints, codes) if _is_plain(ints, codes, grids) else None
     if concluded is None:
-        return [0, 0]
+        return 0
     meeting: list[tuple[int, list[int]]] = [((1 << len(codes)) - 1, [])]
     for grid in grids:
         meeting = [
@@ -41,8 +41,7 @@ def put_joint(buffers: Buffers, codes: Sequence[Code], grids: Sequence[Laid]) ->
             for others, words in meeting
         ]
     lists = {rules: _list(ints, codes, concluded, rules) for rules in {rules for rules, _ in meeting}}
-    records = [buffers.put([*met, *lists[rules]]) for rules, met in meeting]
-    return [buffers.put(records), grids[0].width // 2 if grids else 0]
+    return buffers.put([buffers.put([*met, *lists[rules]]) for rules, met in meeting])
 
 
 def _is_plain(ints: Sequence[int], codes: Sequence[Code], grids: Sequence[Laid]) -> bool:
@@ -62,7 +61,8 @@ def _concluded(ints: Sequence[int], codes: Sequence[Code]) -> list[list[tuple[in
             return None
         for term in range(ints[output + p.OUT_TERMS]):
             of_word[ints[output + p.OUT_DEGREES] + term] = number, term
-    for rule, record in enumerate(_records(ints, len(codes))):
+    for rule in range(len(codes)):
+        record = ints[ints[p.RULE] + p.rule_entry(rule)]
         first = record + p.RULE_BODY + ints[record + p.RULE_LENGTH]
         conclusions = range(first, first + ints[record + p.RULE_THEN] * p.THEN_SIZE, p.THEN_SIZE)
         for then in conclusions:
@@ -71,16 +71,6 @@ def _concluded(ints: Sequence[int], codes: Sequence[Code]) -> list[list[tuple[in
                 return None
             found[place[0]].append((place[1], rule))
     return [sorted(each) for each in found]
-
-
-def _records(ints: Sequence[int], rules: int) -> list[int]:
-    """Return where the record of each rule begins."""
-    table = ints[p.RULE]
-    return [
-        ints[table + rule - bit + (((p.DE_BRUIJN << bit) >> 27) & 31)]
-        for rule in range(rules)
-        for bit in [rule % p.MASK_BITS]
-    ]
 
 
 def _list(

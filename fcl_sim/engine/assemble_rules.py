@@ -71,8 +71,7 @@ def put_rules(buffers: Buffers, block: FunctionBlock, own: Plan, codes: Sequence
         starts.append(buffers.put([*head, *body, *(word for words in then for word in words)]))
     table = [0] * (own.words * p.MASK_BITS)
     for rule_number, start in enumerate(starts):
-        word, bit = divmod(rule_number, p.MASK_BITS)
-        table[word * p.MASK_BITS + (((p.DE_BRUIJN << bit) >> 27) & 31)] = start
+        table[p.rule_entry(rule_number)] = start
     return buffers.put(table)
 
 

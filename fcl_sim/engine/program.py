@@ -299,6 +299,11 @@ FORMULA_PUSH = -1
 Floats = NDArray[np.float64] | NDArray[np.float32]
 
 
+def rule_entry(rule: int) -> int:
+    """Return which entry of the table RULE is that of a rule, by its number from 0."""
+    return rule - rule % MASK_BITS + ((DE_BRUIJN << rule % MASK_BITS >> 27) & 31)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Layout:
     """Where named things lie in the instance memory (m); names are case-folded (S1).
@@ -388,9 +393,7 @@ class Program:
 
     def without(self, rule: int) -> "Program":
         """Return the program in which a rule, by its place in `rule_labels`, concludes nothing."""
-        bit = rule % MASK_BITS
-        entry = self.ints[RULE] + rule - bit + (((DE_BRUIJN << bit) >> 27) & 31)
         ints = self.ints.copy()
-        ints[ints[entry] + RULE_THEN] = 0
+        ints[ints[ints[RULE] + rule_entry(rule)] + RULE_THEN] = 0
         ints[JOINT] = 0
         return replace(self, ints=ints)

@@ -151,9 +151,7 @@ def _rules(program: Program) -> Iterator[str]:
     yield ""
     yield "rules"
     for number, label in enumerate(program.rule_labels):
-        word, bit = divmod(number, p.MASK_BITS)
-        place = word * p.MASK_BITS + (((p.DE_BRUIJN << bit) >> 27) & 31)
-        rule = ints[ints[ints[p.RULE] + place] :].tolist()
+        rule = ints[ints[ints[p.RULE] + p.rule_entry(number)] :].tolist()
         length = rule[p.RULE_LENGTH]
         code = rule[p.RULE_BODY : p.RULE_BODY + length]
         body = "; ".join(_body(rule[p.RULE_KIND], code, program, names))

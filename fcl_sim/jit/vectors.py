@@ -8,6 +8,7 @@ Buffers are of one type; indices into them are unsigned.
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from llvmlite import ir as llvm
 from numba import extending
 from numba.core import cgutils, types
@@ -191,8 +192,7 @@ def _combine_four(
 def _combine_four_twin(
     target: Any, to: int, weights: Any, weights_at: int, rows: Any, rows_at: int, apart: int, count: int
 ) -> None:
-    total = 0.0 * target[to : to + 4]
-    total[:] = 0.0
+    total = np.zeros_like(target[to : to + 4])
     for number in range(count):
         row = rows_at + number * apart
         total += weights[weights_at + number] * rows[row : row + 4]
