@@ -78,6 +78,27 @@ def activate(
     return end
 
 
+@flat
+def cut_off(
+    points: Floats, point: int, count: int, memory: Floats, cut: float, factor: float, target: int
+) -> int:
+    """Write a term that is cut off at a degree, times a factor, as `activate` does by one level."""
+    end = target
+    last = point + POINT_SIZE * (count - 1)
+    first, before, top = point, cut, factor * cut
+    while point <= last:
+        degree = points[u(point + 1)]
+        if point > first and minimum(before, degree) < cut < maximum(before, degree):
+            end = put(memory, end, crossing(points, point - POINT_SIZE, cut), top)
+        if degree <= cut:
+            end = put(memory, end, points[u(point)], factor * degree)
+        elif point in (first, last):
+            end = put(memory, end, points[u(point)], top)
+        before = degree
+        point += POINT_SIZE
+    return end
+
+
 @inlined
 def value_before(memory: Floats, first: int, vertex: int, end: int, x: float) -> float:
     """Return the limit from the left, at `x`, of a polyline whose next vertex is at `vertex`."""

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from fcl_sim.arithmetic.defuzzify import centre_of_area, centre_of_gravity, extreme_maximum
 from fcl_sim.arithmetic.operators import maximum, minimum
-from fcl_sim.arithmetic.polyline import LEVEL_SIZE, VERTEX_SIZE, activate, bound, highest, join
+from fcl_sim.arithmetic.polyline import LEVEL_SIZE, VERTEX_SIZE, activate, bound, cut_off, highest, join
 from fcl_sim.engine.curved import Curved, accumulate_curved
 from fcl_sim.engine.moving import hull, place_terms, sourced
 from fcl_sim.engine.program import (
@@ -153,6 +153,14 @@ def activate_part(
     origin = ints[u(at + FLOATS)]
     first = base + ints[u(area + AREA_LEVELS)]
     pairs = part + PART_PAIR
+    source = ints[u(part + PART_TERM)]
+    end = ints[u(part + PART_END)]
+    if ints[u(part + PART_PAIRS)] == 1 and source > 0:
+        cut = sourced(ints[u(pairs)], floats, origin, memory, base)
+        factor = sourced(ints[u(pairs + 1)], floats, origin, memory, base)
+        if not (cut > 0.0 and factor > 0.0):
+            return target
+        return cut_off(floats, origin + source, -1 - end, memory, cut, factor, target)
     count = 0
     for pair in range(pairs, pairs + 2 * ints[u(part + PART_PAIRS)], 2):
         cut = sourced(ints[u(pair)], floats, origin, memory, base)
@@ -175,8 +183,6 @@ def activate_part(
     for level in range(first + LEVEL_SIZE, first + LEVEL_SIZE * (count + 1), LEVEL_SIZE):
         value += memory[u(level)] * memory[u(level + 1)]
         memory[u(level + 1)] = value
-    source = ints[u(part + PART_TERM)]
-    end = ints[u(part + PART_END)]
     if source > 0:
         return activate(floats, origin + source, -1 - end, memory, first, count, target)
     points = int(memory[u(base + end)])

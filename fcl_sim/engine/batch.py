@@ -6,9 +6,8 @@ memory: word m of a point is `rows[m * width + point]`. Each point sees the
 arithmetic of `infer` in its order, so that results are the same to the last
 bit: a rule that cannot fire has the degree 0, and accumulates nothing.
 
-Inputs, outputs and flags stay where the caller has them: word m of a point is
-`points[m * size + row + point]`, where the first of the points is `row` of
-`size`.
+Inputs, outputs and flags stay where the caller has them, in columns of which
+the addresses are known: taken and given a step at a time, in the nearest cache.
 """
 
 from numpy import float64, int64
@@ -59,8 +58,10 @@ from fcl_sim.engine.program import (
     THEN_SIZE,
     THEN_SUM,
     THEN_WEIGHT,
+    TOGETHER,
+    UP_TO_RULES,
 )
-from fcl_sim.jit import flat, u
+from fcl_sim.jit import bytes_at, doubles_at, flat, rounded, u
 
 Ints = NDArray[int64]
 Floats = NDArray[float64]
@@ -71,13 +72,73 @@ GAP = 8
 """Numbers between rows, so that they do not all begin in the same few lines of the cache."""
 
 
+EACH, ONE_OF_ALL, UNDOUBTED = range(3)
+"""Kinds of columns: a number for each point; one for all of them; one that may as well be no number."""
+PATTERN_BITS = 6
+"""Of more rules, some share a bit."""
+PATTERNS = 1 << PATTERN_BITS
+
+
+@flat
+def take_rows(
+    columns: Ints, given: int, row: int, rows: Floats, width: int, count: int, largest: float
+) -> bool:
+    """Take the numbers of `count` points from `row` on, if none is beyond `largest`; `columns` of `given`."""
+    unfit = 0
+    for word in range(given):
+        numbers, kind, own = doubles_at(columns[u(2 * word)]), columns[u(2 * word + 1)], word * width
+        if kind == EACH:
+            for point in range(count):
+                x = numbers[u(row + point)]
+                unfit += int(not abs(x) <= largest)
+                rows[u(own + point)] = x
+        else:
+            unfit += int(kind == ONE_OF_ALL and not abs(numbers[u(0)]) <= largest)
+            for point in range(count):
+                rows[u(own + point)] = numbers[u(0)]
+    return unfit == 0
+
+
+@rounded
+def give_rows(
+    columns: Ints, given: int, outputs: int, row: int, rows: Floats, width: int, count: int
+) -> None:
+    """Give the outputs of `count` points from `row` on, and their flags."""
+    for output in range(outputs):
+        place = 2 * (given + output)
+        numbers, flags = doubles_at(columns[u(place)]), bytes_at(columns[u(place + 1)])
+        value, active = (given - outputs + output) * width, (given + output) * width
+        for point in range(count):
+            numbers[u(row + point)] = rows[u(value + point)]
+            flags[u(row + point)] = int(rows[u(active + point)] != 0.0)
+
+
+@flat
+def by_pattern(patterns: Ints, order: Ints, count: int) -> None:
+    """Write the points to `order`, those together for which the same rules fire.
+
+    Their areas take the same way then, which a processor foresees. Behind the
+    points, `order` has room for a number for each pattern.
+    """
+    room = order.size - PATTERNS
+    for pattern in range(PATTERNS):
+        order[u(room + pattern)] = 0
+    for point in range(count):
+        order[u(room + patterns[u(point)])] += 1
+    begin = 0
+    for pattern in range(PATTERNS):
+        begin += order[u(room + pattern)]
+        order[u(room + pattern)] = begin - order[u(room + pattern)]
+    for point in range(count):
+        pattern = patterns[u(point)]
+        order[u(order[u(room + pattern)])] = point
+        order[u(room + pattern)] += 1
+
+
 @flat
 def fuzzify_rows(
     ints: Ints,
     floats: Floats,
-    points: Floats,
-    size: int,
-    row: int,
     rows: Floats,
     width: int,
     cells: Ints,
@@ -87,15 +148,15 @@ def fuzzify_rows(
     origin = ints[u(FLOATS)]
     grid = ints[u(GRID)]
     for _ in range(ints[u(GRIDS)]):
-        given = ints[u(grid + GRID_INPUT)] * size + row
+        given = ints[u(grid + GRID_INPUT)] * width
         knots, knot_count = origin + ints[u(grid + GRID_KNOTS)], ints[u(grid + GRID_COUNT)]
         for point in range(count):
-            cells[u(point)] = cell_of_many(points[u(given + point)], floats, knots, knot_count)
+            cells[u(point)] = cell_of_many(rows[u(given + point)], floats, knots, knot_count)
         most = ints[u(grid + GRID_WIDTH)]
         slots, segments = ints[u(grid + GRID_ROWS)] + 1, origin + ints[u(grid + GRID_CELLS)] + EDGES_SIZE
         row_size, pieces = ints[u(grid + GRID_ROW_SIZE)], ints[u(grid + GRID_PIECES)]
         for point in range(count):
-            x = points[u(given + point)]
+            x = rows[u(given + point)]
             slot = slots + cells[u(point)] * row_size
             segment = segments + cells[u(point)] * pieces
             for place in range(most):
@@ -105,14 +166,14 @@ def fuzzify_rows(
 
 
 @flat
-def bring_rows(ints: Ints, points: Floats, size: int, row: int, rows: Floats, width: int, count: int) -> None:
+def bring_rows(ints: Ints, rows: Floats, width: int, count: int) -> None:
     """Take the variables brought in as degrees or weights into [0, 1] (S27)."""
     record = ints[u(BRING)]
     for _ in range(ints[u(BROUGHT)]):
-        given = ints[u(record + BRING_INPUT)] * size + row
+        given = ints[u(record + BRING_INPUT)] * width
         slot, complement = ints[u(record + BRING_SLOT)] * width, ints[u(record + BRING_NOT)] * width
         for point in range(count):
-            degree = clamped(points[u(given + point)])
+            degree = clamped(rows[u(given + point)])
             rows[u(slot + point)] = degree
             rows[u(complement + point)] = 1.0 - degree
         record += BRING_SIZE
@@ -160,12 +221,19 @@ def conclude_rows(
 
 
 @flat
-def visit_rows(ints: Ints, floats: Floats, rows: Floats, width: int, count: int) -> None:
-    """Evaluate all rules."""
+def visit_rows(ints: Ints, floats: Floats, rows: Floats, width: int, patterns: Ints, count: int) -> None:
+    """Evaluate all rules; where an output has areas, write which of them fire, as a pattern."""
+    patterned = ints[u(TOGETHER)] == UP_TO_RULES
+    for point in range(count):
+        patterns[u(point)] = 0
     for number in range(ints[u(RULES)]):
         bit = number % MASK_BITS
         rule = ints[u(ints[u(RULE)] + number - bit + (((DE_BRUIJN << bit) >> 27) & 31))]
         degree = aggregate_rows(ints, rule, rows, width, count)
+        if patterned:
+            fires = 1 << number % PATTERN_BITS
+            for point in range(count):
+                patterns[u(point)] ^= fires if rows[u(degree + point)] > 0.0 else 0
         then = rule + RULE_BODY + ints[u(rule + RULE_LENGTH)]
         for _ in range(ints[u(rule + RULE_THEN)]):
             conclude_rows(ints, floats, then, degree, rows, width, count)
@@ -173,9 +241,7 @@ def visit_rows(ints: Ints, floats: Floats, rows: Floats, width: int, count: int)
 
 
 @flat
-def defuzzify_rows(
-    ints: Ints, floats: Floats, rows: Floats, width: int, points: Floats, size: int, row: int, count: int
-) -> None:
+def defuzzify_rows(ints: Ints, floats: Floats, rows: Floats, width: int, count: int) -> None:
     """Write each output and its flag by CoGS; without an active rule, the DEFAULT or nothing (S30, S31)."""
     moments = ints[u(CLAMPS)] * width
     weights = moments + width
@@ -193,11 +259,10 @@ def defuzzify_rows(
                 rows[u(moments + point)] += place * degree
                 rows[u(weights + point)] += degree
         default, keep = floats[u(places + terms)], ints[u(output + OUT_KEEP)] != 0
-        value = ints[u(output + OUT_VALUE)] * size + row
-        active = ints[u(output + OUT_ACTIVE)] * size + row
+        value, active = ints[u(output + OUT_VALUE)] * width, ints[u(output + OUT_ACTIVE)] * width
         for point in range(count):
             weight = rows[u(weights + point)]
-            other = points[u(value + point)] if keep else default
-            points[u(value + point)] = rows[u(moments + point)] / weight if weight != 0.0 else other
-            points[u(active + point)] = 1.0 if weight != 0.0 else 0.0
+            other = rows[u(value + point)] if keep else default
+            rows[u(value + point)] = rows[u(moments + point)] / weight if weight != 0.0 else other
+            rows[u(active + point)] = 1.0 if weight != 0.0 else 0.0
         output += OUTPUT_SIZE

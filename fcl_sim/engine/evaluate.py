@@ -1,9 +1,9 @@
 """Many evaluations over arrays, and the checks of what goes in (S37)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass
-from itertools import pairwise
 from math import prod
 from os import cpu_count
 
@@ -12,9 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from fcl_sim.diagnostics import nearest
 from fcl_sim.diagnostics.spelling import listed
+from fcl_sim.engine.batch import EACH, ONE_OF_ALL, UNDOUBTED
 from fcl_sim.engine.entries import many_for
 from fcl_sim.engine.precision import PRECISIONS
-from fcl_sim.engine.program import Floats, Program
+from fcl_sim.engine.program import Program
+from fcl_sim.jit import address
 
 Values = NDArray[np.float64]
 
@@ -44,24 +46,28 @@ def evaluate(
     that is not finite, with its first index.
     """
     inputs = checked_names(program, values, optional)
-    former = by_declared_name(previous or {}, program.output_names, "output")
-    starts = program.initial
-    given = {**inputs, **former}
+    given = {**inputs, **by_declared_name(previous or {}, program.output_names, "output")}
     names = (*program.input_names, *program.output_names)
-    columns = [
-        within(name, given[name], program.arithmetic) if name in given else starts[i : i + 1].reshape(())
-        for i, name in enumerate(names)
-    ]
+    columns = [np.asarray(given.get(name, program.initial[i]), np.float64) for i, name in enumerate(names)]
+    kinds = [_kind(column, known=name in given) for name, column in zip(names, columns, strict=True)]
     shape = np.broadcast_shapes(*(column.shape for column in columns))
-    points = np.empty((program.degrees_at, *shape), starts.dtype)
-    for i, column in enumerate(columns):
-        points[i, ...] = column
-    _in_threads(program, points.reshape(-1), prod(shape))
-    outputs, active = points[program.outputs_at : program.active_at], points[program.active_at :] != 0.0
+    outputs = np.empty((len(program.output_names), *shape))
+    active = np.empty(outputs.shape, np.bool_)
+    taken = [
+        np.ascontiguousarray(each if each.size == 1 else np.broadcast_to(each, shape)) for each in columns
+    ]
+    if not _in_threads(program, list(zip(taken, kinds, strict=True)), outputs, active):
+        for name in names:
+            _refuse_unfit(name, given.get(name, 0.0), program.arithmetic)
     return Evaluation(
-        {name: outputs[i, ...].astype(np.float64, copy=False) for i, name in enumerate(program.output_names)},
+        {name: outputs[i, ...] for i, name in enumerate(program.output_names)},
         {name: active[i, ...] for i, name in enumerate(program.output_names)},
     )
+
+
+def _kind(column: Values, *, known: bool) -> int:
+    """Return what `evaluate_many` takes a column for; a value that nobody gave is the program's own."""
+    return (EACH if column.size != 1 else ONE_OF_ALL) if known else UNDOUBTED
 
 
 def checked_names(
@@ -75,21 +81,37 @@ def checked_names(
     return inputs
 
 
-def _in_threads(program: Program, points: Floats, size: int) -> None:
-    """Evaluate all points, many of them on all processors: the kernel holds no lock of the interpreter."""
-    run = many_for(program).compile()
+def _in_threads(
+    program: Program, columns: Sequence[tuple[Values, int]], outputs: Values, active: NDArray[np.bool_]
+) -> bool:
+    """Evaluate all points, many of them on all processors: the kernel holds no lock of the interpreter.
 
-    def stretch(start: int, stop: int) -> None:
-        run(program.ints, program.floats, program.initial.copy(), points, start, stop)
+    Return whether the arithmetic can hold all that is in the columns.
+    """
+    run, size = many_for(program).compile(), prod(outputs.shape[1:])
+    taken = [number for column, kind in columns for number in (address(column), kind)]
+    given = [address(each[i, ...]) for i in range(len(outputs)) for each in (outputs, active)]
+    places, largest = np.array(taken + given, np.int64), PRECISIONS[program.arithmetic].largest
 
-    workers = min(cpu_count() or 1, size // FOR_A_THREAD)
-    if workers < 2:
-        stretch(0, size)
-        return
-    ends = [size * part // workers for part in range(workers + 1)]
-    with ThreadPoolExecutor(workers) as pool:
-        for done in [pool.submit(stretch, *pair) for pair in pairwise(ends)]:
-            done.result()
+    starts = list(range(0, size, FOR_A_THREAD // 2))
+
+    def work() -> bool:
+        memory = program.initial.copy()
+        unfit = -1
+        with suppress(IndexError):  # of no start being left
+            while unfit < 0:
+                start = starts.pop()
+                stop = min(size, start + FOR_A_THREAD // 2)
+                unfit = run(program.ints, program.floats, memory, places, largest, start, stop)
+        return unfit < 0
+
+    # This thread works as well: it has a processor, and a new one is soon given another.
+    others = min(cpu_count() or 1, size // FOR_A_THREAD) - 1
+    if others < 1:
+        return work()
+    with ThreadPoolExecutor(others) as pool:
+        doing = [pool.submit(work) for _ in range(others)]
+        return all([work(), *(done.result() for done in doing)])
 
 
 def by_declared_name(
@@ -109,8 +131,8 @@ def declared_name(name: str, names: tuple[str, ...], kind: str) -> str:
     raise TypeError(f"no {kind} {name}; {hint}")
 
 
-def finite(name: str, value: ArrayLike) -> Values:
-    """Return `value` as an array of finite numbers; ValueError names the variable and the first bad index."""
+def _refuse_unfit(name: str, value: ArrayLike, arithmetic: str) -> None:
+    """Raise ValueError for what is not finite, with its first index, or beyond an arithmetic."""
     array = np.asarray(value, np.float64)
     bad = ~np.isfinite(array)
     if bad.any():
@@ -119,13 +141,6 @@ def finite(name: str, value: ArrayLike) -> Values:
         index = tuple(int(axis) for axis in np.argwhere(bad)[0])
         shown = str(index[0]) if len(index) == 1 else str(index)
         raise ValueError(f"{name} is {array[index]} at index {shown}")
-    return array
-
-
-def within(name: str, value: ArrayLike, arithmetic: str) -> Values:
-    """Return what `finite` does; ValueError too for what an arithmetic cannot hold."""
-    array = finite(name, value)
     largest = PRECISIONS[arithmetic].largest
-    if arithmetic != "LREAL" and array.size > 0 and np.abs(array).max() > largest:
+    if (np.abs(array) > largest).any():
         raise ValueError(f"{name} has values beyond {largest:g}, to which {arithmetic} reaches")
-    return array

@@ -7,7 +7,7 @@ from enum import StrEnum
 from functools import partial
 
 from fcl_sim.engine.concluded import degree_so_far
-from fcl_sim.engine.entries import one_for
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.hedged import hedged_degree
 from fcl_sim.engine.plan_areas import algorithms, conclusions
 from fcl_sim.engine.program import Floats, Program
@@ -232,7 +232,7 @@ def explain(block: FunctionBlock, program: Program, memory: Floats) -> Explanati
     `program` is that of `block`. Every degree is read back from the memory
     that the evaluation leaves behind.
     """
-    one_for(program)(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     reading = _Reading(counted(block), program, memory)
     return Explanation(
         name=block.name,

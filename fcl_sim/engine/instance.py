@@ -1,14 +1,15 @@
 """An instance of a function block, called as IEC 61131-3 calls one."""
 
+from functools import partial
 from math import isfinite
-from struct import Struct, error
 from typing import Any, cast
 
-from fcl_sim.engine.entries import one_for
+from fcl_sim.engine.entries import NOTHING, WITH_THE_CALL, one_for, placed
 from fcl_sim.engine.evaluate import declared_name
 from fcl_sim.engine.explain import Explanation, explain
 from fcl_sim.engine.precision import PRECISIONS, REAL
 from fcl_sim.engine.program import Program
+from fcl_sim.jit import address, compiled
 from fcl_sim.model import FunctionBlock
 
 
@@ -22,10 +23,9 @@ class Instance:
 
     __slots__ = (
         "_block",
-        "_buffers",
         "_fits",
         "_memory",
-        "_pack",
+        "_placed",
         "_places",
         "_program",
         "_results",
@@ -41,12 +41,15 @@ class Instance:
         self._words = cast("memoryview[float]", self._memory.data)  # read and written faster than an array
         self._places = {name: place for place, name in enumerate(program.input_names)}
         self._results = {name: place for place, name in enumerate(program.output_names, program.outputs_at)}
-        self._buffers = (program.ints, program.floats, self._memory)
         self._fits = isfinite if program.arithmetic == "LREAL" else _fits_real
-        self._run = one_for(program).compile()
-        # Inputs that are given in this order are written at once; those of REAL are looked at one by one.
-        self._together = program.input_names if program.arithmetic == "LREAL" else None
-        self._pack = Struct(f"{len(self._places)}d").pack_into
+        run = one_for(program).compile()
+        few = len(self._places) if len(self._places) <= WITH_THE_CALL else 0
+        self._placed = placed(program, self._memory, 0), placed(program, self._memory, few)
+        self._run = partial(run, *NOTHING, address(self._placed[0]))
+        # One attribute: with a __getattr__, each costs a call a twentieth of its time. What numba
+        # takes for a number is one; uncompiled, all sorts of things would be.
+        names = program.input_names if compiled() and few == len(self._places) else None
+        self._together = names, run, (*NOTHING[few:], address(self._placed[1]))
 
     def __call__(self, **inputs: float) -> None:
         """Evaluate once.
@@ -55,15 +58,15 @@ class Instance:
         for a number that is not finite (S37), or beyond REAL; the instance is then
         as it was.
         """
-        values = inputs.values()
-        try:
-            if tuple(inputs) == self._together and isfinite(sum(values)):  # so each of them is
-                self._pack(self._words, 0, *values)
-            else:
-                self._write(inputs)
-        except (TypeError, OverflowError, error):
-            self._write(inputs)
-        self._run(*self._buffers)
+        names, run, rest = self._together
+        if tuple(inputs) == names:  # inputs in their order go in with the call
+            try:
+                if run(*inputs.values(), *rest):
+                    return
+            except (TypeError, ValueError, OverflowError):
+                pass  # numbers of other kinds, or none
+        self._write(inputs)
+        self._run()
 
     def _write(self, inputs: dict[str, float]) -> None:
         """Write inputs by name, or raise what `__call__` says and write none."""

@@ -18,6 +18,7 @@ I = types.Array(types.int64, 1, "C")  # noqa: E741  the pair of F
 FF = types.Array(types.float64, 2, "C")
 f8 = types.float64
 i8 = types.int64
+b1 = types.boolean
 void = types.void
 u = np.uint64
 """An index that is never negative: `buffer[u(at + 3)]` spares the test for wrap-around."""

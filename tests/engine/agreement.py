@@ -7,7 +7,7 @@ from fractions import Fraction
 import numpy as np
 
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import evaluate_one, evaluate_one_real
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.narrow import narrowed
 from fcl_sim.engine.precision import LREAL, REAL, Precision
 from fcl_sim.engine.program import Program
@@ -57,8 +57,7 @@ def infer(
         memory[place] = values[name]
     for place, name in enumerate(program.output_names, program.outputs_at):
         memory[place] = (previous or {}).get(name, memory[place])
-    run = evaluate_one if memory.dtype == np.float64 else evaluate_one_real
-    run(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     return memory
 
 

@@ -6,7 +6,7 @@ from random import Random
 import numpy as np
 
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import one_for
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.precision import LREAL
 from fcl_sim.model import Accumulation, Activation, Degree, Method, RuleBlock, Variable
 from tests.engine.bases import block, output, points, rule
@@ -50,7 +50,7 @@ def polyline(base, degrees, precision=LREAL):
     program = assemble(base, precision)
     memory = program.initial.copy()
     memory[: len(degrees)] = degrees
-    one_for(program)(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     first, end = memory[program.layout.areas["y"] :][:2].astype(int)
     return memory[first:end].reshape(-1, 2).astype(float)
 

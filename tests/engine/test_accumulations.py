@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.explain import explain
 from fcl_sim.engine.show import program_text
 from fcl_sim.model import Accumulation, Activation, Is, Method, Not, RuleBlock
@@ -38,7 +38,7 @@ def base(kind, *, activation=Activation.MIN, term=SINGLE, method=Method.SUM):
 def memory_of(program, x):
     memory = program.initial.copy()
     memory[0] = x
-    evaluate_one(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     return memory
 
 

@@ -9,7 +9,7 @@ import pytest
 from fcl_sim.engine import evaluate as evaluation
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.batch import TOGETHER_AT_MOST
-from fcl_sim.engine.entries import one_for
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.evaluate import evaluate
 from fcl_sim.engine.precision import LREAL, REAL
 from fcl_sim.engine.program import ALL_TOGETHER, ONE_BY_ONE, TOGETHER, UP_TO_RULES
@@ -60,7 +60,7 @@ def alone(program, values, previous, point):
     given = {**values, **previous}
     for place, name in enumerate((*program.input_names, *program.output_names)):
         memory[place] = given[name][point]
-    one_for(program)(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     return memory[program.outputs_at : program.degrees_at].astype(np.float64).tobytes()
 
 

@@ -57,6 +57,16 @@ def test_a_value_that_is_not_finite_is_named_with_its_first_index(values, messag
     assert str(error.value) == message
 
 
+@pytest.mark.parametrize("place", [0, 1, 39_998, 39_999])
+def test_one_bad_value_among_many_is_found(place):
+    distance = np.linspace(-8.0, 30.0, 40_000)
+    distance[place] = nan
+    with pytest.raises(ValueError, match=rf"^distance is nan at index {place}$"):
+        evaluate(THREE, {"distance": distance, "angle": 0.0})
+    with pytest.raises(ValueError, match=rf"^power is nan at index {place}$"):
+        evaluate(THREE, {"distance": 0.0, "angle": 0.0}, previous={"power": distance})
+
+
 def test_a_missing_input_is_an_error_unless_it_may_be_missing():
     with pytest.raises(TypeError, match=r"^container_crane needs a value for angle$"):
         evaluate(THREE, {"distance": 1.0})

@@ -6,7 +6,7 @@ from math import sqrt
 import pytest
 
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.evaluate import evaluate
 from fcl_sim.engine.explain import explain
 from fcl_sim.engine.show import program_text
@@ -55,7 +55,7 @@ def degree(condition, **values):
     program = assemble(base(condition, tuple(values)))
     memory = program.initial.copy()
     memory[: len(values)] = list(values.values())
-    evaluate_one(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     return memory[program.degrees_at]
 
 
@@ -99,7 +99,7 @@ def test_a_hedge_before_a_concluded_term_takes_what_rules_have_accumulated():
     program = assemble(block({"x": RISING}, outputs, RuleBlock(name="r", rules=rules)))
     memory = program.initial.copy()
     memory[0] = 0.5
-    evaluate_one(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     assert memory[program.degrees_at + 1] == 0.25
 
 

@@ -1,6 +1,8 @@
 import copy
 import gc
 import sys
+from decimal import Decimal
+from fractions import Fraction
 from math import inf, nan
 from random import Random
 
@@ -179,6 +181,38 @@ def test_a_value_that_is_not_finite_is_an_error_and_changes_nothing(value):
 def test_a_value_that_is_no_number_is_an_error():
     with pytest.raises(TypeError, match=r"^angle must be a number, not str$"):
         Instance(CRANE, assemble(CRANE))(angle="4")
+
+
+@pytest.mark.parametrize("precision", [LREAL, REAL], ids=lambda each: each.name)
+@pytest.mark.parametrize("kind", [int, Fraction, Decimal, np.float32, np.int16, np.array])
+def test_a_number_of_another_kind_is_that_number(kind, precision):
+    instance, other = (Instance(CRANE, assemble(CRANE, precision)) for _ in range(2))
+    instance(distance=kind(12), angle=kind(4))
+    other(distance=12.0, angle=4.0)
+    assert (instance.inputs, instance.power) == (other.inputs, other.power)
+
+
+def test_real_takes_no_number_that_it_cannot_hold():
+    instance = Instance(CRANE, assemble(CRANE, REAL))
+    with pytest.raises(ValueError, match=r"^angle is 4e\+38; REAL reaches to 3\.40282e\+38$"):
+        instance(distance=1.0, angle=4e38)
+    assert instance.inputs == {"distance": 0.0, "angle": 0.0}
+
+
+@pytest.mark.parametrize("number", range(1, 8))
+def test_any_number_of_inputs_goes_in(number):
+    names = [f"x{place}" for place in range(number)]
+    inputs = {name: (points("t", (0, 0), (10, 1)),) for name in names}
+    rules = [rule(name, every((name, "t")), ("y", name)) for name in names]
+    places = [singleton(name, 2.0**place) for place, name in enumerate(names)]
+    base = block(inputs, (output("y", *places),), RuleBlock(name="r", rules=tuple(rules)))
+    instance = Instance(base, assemble(base))
+    values = {name: float(place) for place, name in enumerate(names)}
+    instance(**values)
+    assert instance.inputs == values
+    assert list(instance.degrees.values()) == pytest.approx([place / 10 for place in range(number)])
+    instance(**dict(reversed(values.items())))
+    assert instance.inputs == values
 
 
 def test_an_explanation_leaves_the_instance_alone():

@@ -8,7 +8,7 @@ import pytest
 
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.assemble_joint import MOST_CELLS
-from fcl_sim.engine.entries import one_for
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.precision import LREAL, REAL
 from fcl_sim.engine.program import JOINT, JOINT_HELD
 from fcl_sim.model import Accumulation, And, AndOperator, Is, Not, RuleBlock, Variable
@@ -101,8 +101,8 @@ def test_a_base_with_a_table_does_to_the_last_bit_what_it_does_without(precision
         memory, other = program.initial.copy(), program.initial.copy()
         for point in walk(seed, len(program.input_names)):
             memory[: point.size] = other[: point.size] = point
-            one_for(program)(program.ints, program.floats, memory)
-            one_for(plain)(plain.ints, plain.floats, other)
+            evaluate_once(program, memory)
+            evaluate_once(plain, other)
             assert seen(program, memory) == seen(program, other), (seed, point)
 
 
@@ -113,8 +113,8 @@ def test_what_is_no_number_comes_to_what_it_does_without_a_table(precision):
     for point in ((np.nan, 4.0), (12.0, np.nan), (np.nan, np.nan), (12.0, 4.0)):
         memory, other = program.initial.copy(), program.initial.copy()
         memory[:2] = other[:2] = point
-        one_for(program)(program.ints, program.floats, memory)
-        one_for(plain)(plain.ints, plain.floats, other)
+        evaluate_once(program, memory)
+        evaluate_once(plain, other)
         head = program.recorded
         assert np.array_equal(memory[:head], other[:head], equal_nan=True), point
 
@@ -125,7 +125,7 @@ def test_a_rule_that_is_taken_out_concludes_nothing_though_the_table_lists_it():
     memory = program.initial.copy()
     memory[:2] = 0.0, 0.0
     less = program.without(rule_six)
-    one_for(less)(less.ints, less.floats, memory)
+    evaluate_once(less, memory)
     assert memory[program.active_at] == 0.0
 
 
@@ -135,7 +135,7 @@ def test_the_record_of_the_last_joint_cell_is_held_until_the_inputs_leave_it():
     held = []
     for distance in (12.0, 13.0, 22.0, 23.0, 24.0, 12.0):
         memory[:2] = distance, 4.0
-        one_for(program)(program.ints, program.floats, memory)
+        evaluate_once(program, memory)
         held.append(memory[program.ints[JOINT_HELD]])
     same = [first == second for first, second in pairwise(held)]
     assert same == [True, False, False, True, False]

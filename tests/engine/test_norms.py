@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.model import And, AndOperator, Is, Not, Or, OrOperator, RuleBlock
 from tests.engine.bases import block, output, points, rule, singleton
 
@@ -34,7 +34,7 @@ def degree(condition, x, z, **operators):
     program = assemble(base)
     memory = program.initial.copy()
     memory[:2] = x, z
-    evaluate_one(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     return memory[program.degrees_at]
 
 

@@ -1,7 +1,9 @@
+from dataclasses import replace
+
 import numpy as np
 
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.program import JOINT, RULE, RULE_DEGREE, SUMMARY
 from fcl_sim.engine.show import program_text
 from fcl_sim.model import (
@@ -99,7 +101,7 @@ def test_the_head_of_the_memory_is_what_a_trace_records():
     program = assemble(CRANE_THREE)
     memory = program.initial.copy()
     memory[:2] = 12.0, 4.0
-    evaluate_one(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     assert program.recorded == 2 + 2 * 1 + 3
     assert memory[: program.recorded].tolist() == [12.0, 4.0, 7.2, 1.0, 0.8, 0.2, 1 / 6]
 
@@ -110,7 +112,7 @@ def test_a_clamp_is_counted():
     counts = []
     for degree in (-0.5, 0.0, 1.0, 1.5):
         memory[1] = degree
-        evaluate_one(program.ints, program.floats, memory)
+        evaluate_once(program, memory)
         counts.append(memory[program.layout.clamps])
     assert counts == [1.0, 0.0, 0.0, 1.0]
 
@@ -139,7 +141,7 @@ def test_only_rules_that_can_fire_are_visited():
     for distance, fires in ((30.0, False), (0.0, True)):
         memory = program.initial.copy()
         memory[:2] = distance, 0.0
-        evaluate_one(ints, program.floats, memory)
+        evaluate_once(replace(program, ints=ints), memory)
         assert bool(memory[0] != distance) is fires
 
 
@@ -147,7 +149,7 @@ def test_a_block_without_rules_or_terms_is_evaluated_to_its_default():
     empty = block({"x": ()}, (output("y", singleton("s", 3), default=2.0),))
     program = assemble(empty)
     memory = program.initial.copy()
-    evaluate_one(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     assert memory[: program.recorded].tolist() == [0.0, 2.0, 0.0]
 
 
@@ -160,7 +162,7 @@ def test_of_hundreds_of_rules_those_that_fire_are_found_and_forgotten():
     random = np.random.default_rng(3)
     for a, b in random.uniform(-11, 10, (300, 2)).round(1):
         memory[:2] = a, b
-        evaluate_one(program.ints, program.floats, memory)
+        evaluate_once(program, memory)
         assert abs(memory[2] - (2 * np.clip(a, -10, 9) - np.clip(b, -10, 9))) <= 1e-13
         degrees = memory[program.degrees_at : program.recorded]
         assert 1 <= np.count_nonzero(degrees) <= 4
@@ -183,7 +185,7 @@ def test_hundreds_of_rules_of_which_none_can_fire_give_the_default():
     memory = program.initial.copy()
     for a, value in ((0.5, 1.0), (-1.0, 7.0), (19.5, 1.0), (30.0, 7.0)):
         memory[:2] = a, 0.5
-        evaluate_one(program.ints, program.floats, memory)
+        evaluate_once(program, memory)
         assert memory[2] == value
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from fcl_sim.engine.assemble import assemble
-from fcl_sim.engine.entries import evaluate_one
+from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.evaluate import evaluate
 from fcl_sim.engine.show import program_text
 from fcl_sim.engine.smooth import TOLERANCE, degrees_at, polyline
@@ -58,7 +58,7 @@ def degrees(made, **values):
     memory = program.initial.copy()
     for place, name in enumerate(program.input_names):
         memory[place] = values[name]
-    evaluate_one(program.ints, program.floats, memory)
+    evaluate_once(program, memory)
     return memory[program.degrees_at : program.recorded].tolist()
 
 

@@ -1,0 +1,66 @@
+"""Buffers by their address: an array costs a call from Python as much as a small rule base.
+
+Whoever takes an address keeps the array alive, and never longer than it. In a
+kernel such a buffer has no end that could be looked at.
+"""
+
+import ctypes
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numba import extending
+from numba.core import types
+from numba.np import arrayobj
+
+from fcl_sim.jit.signatures import compiled
+
+ENDLESS = 1 << 48
+"""What a buffer by its address has for a size, in numbers."""
+
+
+def address(array: np.ndarray[Any, Any]) -> int:
+    """Return where the numbers of an array begin; ValueError where they do not follow one another."""
+    if not array.flags.c_contiguous:
+        raise ValueError("only a contiguous array can be known by its address")
+    return int(array.__array_interface__["data"][0])
+
+
+def _buffer_of(kind: Any, number: Any) -> Callable[[int], Any]:
+    """Return what a kernel calls to have the numbers at an address as a buffer."""
+
+    def typed(_: Any, _place: Any) -> Any:
+        buffer = types.Array(kind, 1, "C")
+
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            data = context.get_data_type(kind).as_pointer()
+            width = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(kind)))
+            made = context.make_array(signature.return_type)(context, builder)
+            arrayobj.populate_array(
+                made,
+                data=builder.inttoptr(arguments[0], data),
+                shape=[context.get_constant(types.intp, ENDLESS)],
+                strides=[width],
+                itemsize=width,
+                meminfo=None,
+            )
+            return made._getvalue()  # noqa: SLF001  numba's name for what a proxy holds
+
+        return buffer(types.int64), generate
+
+    def twin(place: int) -> Any:
+        pointer = ctypes.cast(ctypes.c_void_p(int(place)), ctypes.POINTER(number))
+        return np.ctypeslib.as_array(pointer, (ENDLESS,))
+
+    made: Callable[[int], Any] = extending.intrinsic(typed) if compiled() else twin
+    return made
+
+
+integers_at = _buffer_of(types.int64, ctypes.c_int64)
+"""In a kernel: the int64 numbers at an address."""
+doubles_at = _buffer_of(types.float64, ctypes.c_double)
+"""In a kernel: the float64 numbers at an address."""
+singles_at = _buffer_of(types.float32, ctypes.c_float)
+"""In a kernel: the float32 numbers at an address."""
+bytes_at = _buffer_of(types.uint8, ctypes.c_uint8)
+"""In a kernel: the bytes at an address."""
