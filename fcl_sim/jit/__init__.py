@@ -5,8 +5,8 @@ other kernels call, entries that Python calls; with `NUMBA_DISABLE_JIT=1` the
 same text runs uncompiled. May import kernel_cache. Tests: tests/jit.
 """
 
-from fcl_sim.jit.addresses import address, bytes_at, doubles_at, integers_at, singles_at
-from fcl_sim.jit.kernels import Entry, apart, entry, flat, inlined, kernel, rounded
+from fcl_sim.jit.addresses import address, bytes_at, doubles_at, integers_at, part_at, singles_at
+from fcl_sim.jit.kernels import Entry, apart, copied, entry, flat, inlined, kernel, rounded
 from fcl_sim.jit.signatures import (
     F4,
     FF,
@@ -40,6 +40,7 @@ __all__ = [
     "clear_eight",
     "combine_four",
     "compiled",
+    "copied",
     "copy_four",
     "doubles_at",
     "entry",
@@ -52,6 +53,7 @@ __all__ = [
     "kernel",
     "links_type",
     "new_links",
+    "part_at",
     "rounded",
     "shift_four",
     "signature",

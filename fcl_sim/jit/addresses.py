@@ -26,36 +26,56 @@ def address(array: np.ndarray[Any, Any]) -> int:
     return int(array.__array_interface__["data"][0])
 
 
+def _typed_buffer(kind: Any, place: Any, size: Any) -> Any:
+    """Type and generate a buffer of so many numbers at an address."""
+    buffer = types.Array(kind, 1, "C")
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        own = context.get_data_type(kind)
+        width = context.get_constant(types.intp, context.get_abi_sizeof(own))
+        made = context.make_array(signature.return_type)(context, builder)
+        arrayobj.populate_array(
+            made,
+            data=builder.inttoptr(arguments[0], own.as_pointer()),
+            shape=[arguments[1] if len(arguments) > 1 else context.get_constant(types.intp, ENDLESS)],
+            strides=[width],
+            itemsize=width,
+            meminfo=None,
+        )
+        return made._getvalue()  # noqa: SLF001  numba's name for what a proxy holds
+
+    return (buffer(place) if size is None else buffer(place, size)), generate
+
+
 def _buffer_of(kind: Any, number: Any) -> Callable[[int], Any]:
     """Return what a kernel calls to have the numbers at an address as a buffer."""
 
     def typed(_: Any, _place: Any) -> Any:
-        buffer = types.Array(kind, 1, "C")
-
-        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            data = context.get_data_type(kind).as_pointer()
-            width = context.get_constant(types.intp, context.get_abi_sizeof(context.get_data_type(kind)))
-            made = context.make_array(signature.return_type)(context, builder)
-            arrayobj.populate_array(
-                made,
-                data=builder.inttoptr(arguments[0], data),
-                shape=[context.get_constant(types.intp, ENDLESS)],
-                strides=[width],
-                itemsize=width,
-                meminfo=None,
-            )
-            return made._getvalue()  # noqa: SLF001  numba's name for what a proxy holds
-
-        return buffer(types.int64), generate
+        return _typed_buffer(kind, types.int64, None)
 
     def twin(place: int) -> Any:
-        pointer = ctypes.cast(ctypes.c_void_p(int(place)), ctypes.POINTER(number))
-        return np.ctypeslib.as_array(pointer, (ENDLESS,))
+        return _seen(place, number, ENDLESS)
 
     made: Callable[[int], Any] = extending.intrinsic(typed) if compiled() else twin
     return made
 
 
+def _seen(place: int, number: Any, size: int) -> Any:
+    pointer = ctypes.cast(ctypes.c_void_p(int(place)), ctypes.POINTER(number))
+    return np.ctypeslib.as_array(pointer, (int(size),))
+
+
+def _part_at(_: Any, _place: Any, _size: Any) -> Any:
+    """Type and generate `part_at`."""
+    return _typed_buffer(types.float64, types.int64, types.int64)
+
+
+def _part_at_twin(place: int, size: int) -> Any:
+    return _seen(place, ctypes.c_double, size)
+
+
+part_at: Callable[[int, int], Any] = extending.intrinsic(_part_at) if compiled() else _part_at_twin
+"""In a kernel: so many float64 numbers at an address."""
 integers_at = _buffer_of(types.int64, ctypes.c_int64)
 """In a kernel: the int64 numbers at an address."""
 doubles_at = _buffer_of(types.float64, ctypes.c_double)

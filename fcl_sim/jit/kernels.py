@@ -83,6 +83,11 @@ def inlined(function: Function) -> Function:
     return _inner(function, Pipeline, _nrt=False, forceinline=True)
 
 
+def copied(function: Function) -> Function:
+    """Decorate a kernel that may make arrays and is copied into its callers."""
+    return _inner(function, Pipeline, forceinline=True)
+
+
 def rounded(function: Function) -> Function:
     """Decorate a small flat kernel that computes in binary64 whatever it is given, and rounds its result."""
     return _inner(function, _nrt=False, forceinline=True)
@@ -102,7 +107,7 @@ class Entry:
     ) -> None:
         self.function = function
         self._signature = signature
-        self._salt = salt
+        self.salt = salt
         self._options = {**OPTIONS, "_nrt": False} if flat else OPTIONS
         self._ready: Callable[..., Any] | None = None
         self._compiling = Lock()
@@ -116,7 +121,7 @@ class Entry:
         if self._ready is None:
             with self._compiling:
                 if self._ready is None:
-                    self._ready = _compile(self.function, self._signature, self._salt, self._options)
+                    self._ready = _compile(self.function, self._signature, self.salt, self._options)
         return self._ready
 
 

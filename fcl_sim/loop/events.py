@@ -37,6 +37,8 @@ APART = 1e-9
 """Seconds to which times of events are told apart."""
 RESOLUTION = 1e-13
 """To what part of a step an event is located."""
+AT_BEGINNING, AT_END, IN_THE_MIDDLE = range(3)
+"""Where in a step the events' functions are taken: at x into g0, at `trial` into g1, at `middle` into gm."""
 
 
 @inlined
@@ -62,10 +64,10 @@ def first_beyond(ints: Ints, g: Floats, progress: Ints) -> int:
 
 
 @inlined
-def look(plant: Plant, work: Work, t: float, x: Floats, g: Floats) -> int:
-    """Take the events' functions at x; return the first armed event beyond zero, -1 where there is none."""
-    plant.events(t, x, work.held, work.p, work.progress[u(MODE)], g)
-    return first_beyond(work.ints, g, work.progress)
+def look(plant: Plant, work: Work, t: float, where: int) -> int:
+    """Take the events' functions; return the first armed event beyond zero, -1 where there is none."""
+    plant.look(work.at, where, t, work.progress[u(MODE)])
+    return first_beyond(work.ints, work.g0 if where == AT_BEGINNING else work.g1, work.progress)
 
 
 @inlined
@@ -96,7 +98,7 @@ def within(plant: Plant, work: Work, t: float, h: float) -> float:
         for k in range(i, i + 4):
             middle[u(k)] = 0.5 * (x[u(k)] + trial[u(k)]) + bow * (rows[u(at + k)] - rows[u(end + k)])
         i += 4
-    plant.events(t + 0.5 * h, middle, work.held, work.p, work.progress[u(MODE)], work.gm)
+    plant.look(work.at, IN_THE_MIDDLE, t + 0.5 * h, work.progress[u(MODE)])
     armed = work.progress[u(ARMED)]
     directions = ints[u(DIRECTIONS_AT)]
     first = 1.0
@@ -116,11 +118,11 @@ def cut_short(plant: Plant, work: Work, t: float, h: float, part: float, event: 
     of the step, -1 for none. `trial` and g1 then belong to the part returned.
     """
     attempt(plant, work, t, part * h)
-    found = look(plant, work, t + part * h, work.trial, work.g1)
+    found = look(plant, work, t + part * h, AT_END)
     if found >= 0:
         return part, found
     attempt(plant, work, t, h)
-    plant.events(t + h, work.trial, work.held, work.p, work.progress[u(MODE)], work.g1)
+    plant.look(work.at, AT_END, t + h, work.progress[u(MODE)])
     return 1.0, event
 
 
@@ -137,7 +139,7 @@ def settle(plant: Plant, work: Work, t: float, event: int) -> bool:
     while event >= 0:
         progress[u(MODE)] = plant.transition(event, t, work.x, work.held, work.p, progress[u(MODE)])
         progress[u(ARMED)] &= ~(1 << event)
-        plant.events(t, work.x, work.held, work.p, progress[u(MODE)], g0)
+        plant.look(work.at, AT_BEGINNING, t, progress[u(MODE)])
         rearm(work.ints, g0, progress)
         progress[u(HAPPENED)] += 1
         if progress[u(HAPPENED)] > MAX_EVENTS:
@@ -168,7 +170,7 @@ def locate(plant: Plant, work: Work, t: float, h: float, which: int) -> tuple[fl
         else:
             part = high
         attempt(plant, work, t, part * h)
-        earlier = look(plant, work, t + part * h, work.trial, g1)
+        earlier = look(plant, work, t + part * h, AT_END)
         if earlier >= 0 and earlier != which:
             which, low, high, side = earlier, 0.0, part, 0
             g_low, g_high = g0[u(which)], g1[u(which)]

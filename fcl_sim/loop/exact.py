@@ -23,7 +23,8 @@ from fcl_sim.loop.layout import (
     TRUE_STATES,
     UNDER_WAY,
 )
-from fcl_sim.loop.work import INDEX, MODE, PROGRESS, STATUS, Floats, Ints, Plant, Work, rows_size
+from fcl_sim.loop.step import derive
+from fcl_sim.loop.work import INDEX, PROGRESS, STATUS, Floats, Ints, Plant, Work, row_of, rows_size
 
 REMEMBERED = 4
 """Lengths whose F is kept."""
@@ -91,18 +92,23 @@ def multiply(rows: Floats, size: int, one: int, other: int, result: int) -> None
 @flat
 def scaled(plant: Plant, work: Work, h: float, at: int) -> int:
     """Set the matrix at `at` to M h / 2^s, small enough for the series; return s."""
-    size = work.ints[u(TRUE_STATES)]
+    size, x, kept = work.ints[u(TRUE_STATES)], work.x, work.dx
+    derivative = row_of(0, work.ints[u(STATES)])
+    for i in range(size):
+        kept[u(i)] = x[u(i)]
     norm = 0.0
     for j in range(size):
         for i in range(size):
-            work.trial[u(i)] = 1.0 if i == j else 0.0
-        plant.dynamics(0.0, work.trial, work.held, work.p, work.progress[u(MODE)], work.dx)
+            x[u(i)] = 1.0 if i == j else 0.0
+        derive(plant, work, 0.0)
         column = 0.0
         for i in range(size):
-            entry = h * work.dx[u(i)]
+            entry = h * work.rows[u(derivative + i)]
             work.rows[u(at + i * size + j)] = entry
             column += fabs(entry)
         norm = max(norm, column)
+    for i in range(size):
+        x[u(i)] = kept[u(i)]
     squarings = 0
     while norm > SMALL and squarings < MOST_SQUARINGS:
         norm *= 0.5

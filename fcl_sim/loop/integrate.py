@@ -9,7 +9,7 @@ step is cut there and restarted (`loop.events`).
 from math import ceil, inf
 
 from fcl_sim.jit import inlined, u
-from fcl_sim.loop.events import cut_short, locate, look, rearm, settle, within
+from fcl_sim.loop.events import AT_BEGINNING, AT_END, cut_short, locate, look, rearm, settle, within
 from fcl_sim.loop.layout import (
     ADAPTIVE,
     BLEW_UP,
@@ -75,11 +75,12 @@ def begin(plant: Plant, work: Work, t: float) -> bool:
     progress = work.progress
     progress[u(STATUS)] = FINISHED
     if work.ints[u(EVENTS)] > 0:
-        event = look(plant, work, t, work.x, work.g0)
+        event = look(plant, work, t, AT_BEGINNING)
         rearm(work.ints, work.g0, progress)
         if event >= 0 and not settle(plant, work, t, event):
             return False
-    derive(plant, work, t, work.x, 0)
+    if work.ints[u(ADAPTIVE)] == 1:
+        derive(plant, work, t)
     return True
 
 
@@ -123,7 +124,7 @@ def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
             continue
         event, part = -1, 1.0
         if ints[u(EVENTS)] > 0:
-            event = look(plant, work, t + done + h, work.trial, work.g1)
+            event = look(plant, work, t + done + h, AT_END)
             part = within(plant, work, t + done, h) if adaptive else 1.0
             if part < 1.0:
                 part, event = cut_short(plant, work, t + done, h, part, event)
@@ -137,10 +138,9 @@ def advance(plant: Plant, work: Work, t: float, length: float) -> bool:
             return False
         if done >= length:
             return afforded(work, step + 1, h)
-        if event >= 0 or not adaptive:
-            derive(plant, work, t + done, work.x, 0)
-        else:
-            goes_on = True
+        if adaptive and event >= 0:
+            derive(plant, work, t + done)
+        goes_on = adaptive and event < 0
     progress[u(STATUS)] = BUDGET_SPENT
     progress[u(INDEX)] = worst_state(work, h)
     return False

@@ -3,14 +3,24 @@
 from functools import lru_cache
 from typing import Protocol
 
-from fcl_sim.jit import Entry, entry, links_type, new_links, signature
+from fcl_sim.jit import Entry, entry, function_type, links_type, new_links, signature
 from fcl_sim.loop.blocks.fuzzy import FUZZY_TYPE, Fuzzy
+from fcl_sim.loop.called import LOOK_TYPE, OUTPUTS_TYPE, STEP_TYPE, ready
 from fcl_sim.loop.execute import FURTHER_TYPE, Further
-from fcl_sim.plant.functions import FUNCTION_TYPES, PARTS, PlantFunction, PlantFunctions
+from fcl_sim.loop.work import Called
+from fcl_sim.plant.functions import PARTS, PlantFunction, PlantFunctions
 
-_PLANT = dict(zip(PARTS, FUNCTION_TYPES, strict=True))
-
-LINKED = links_type(**_PLANT, further=FURTHER_TYPE, long=FUZZY_TYPE, real=FUZZY_TYPE)
+_TYPES = {
+    "step": STEP_TYPE,
+    "outputs": OUTPUTS_TYPE,
+    "look": LOOK_TYPE,
+    "transition": function_type(*PARTS["transition"]),
+    "sample": function_type(*PARTS["sample"]),
+    "further": FURTHER_TYPE,
+    "long": FUZZY_TYPE,
+    "real": FUZZY_TYPE,
+}
+LINKED = links_type(**_TYPES)
 """Signature part of `Linked`."""
 
 
@@ -20,9 +30,9 @@ class Linked(Protocol):
     `long` calls those in LREAL, `real` those in REAL.
     """
 
-    dynamics: PlantFunction
-    outputs: PlantFunction
-    events: PlantFunction
+    step: Called
+    outputs: Called
+    look: Called
     transition: PlantFunction
     sample: PlantFunction
     further: Further
@@ -30,11 +40,11 @@ class Linked(Protocol):
     real: Fuzzy
 
 
-@entry(signature(LINKED, *FUNCTION_TYPES, FURTHER_TYPE, FUZZY_TYPE, FUZZY_TYPE))
+@entry(signature(LINKED, *_TYPES.values()))
 def link(
-    dynamics: PlantFunction,
-    outputs: PlantFunction,
-    events: PlantFunction,
+    step: Called,
+    outputs: Called,
+    look: Called,
     transition: PlantFunction,
     sample: PlantFunction,
     further: Further,
@@ -43,9 +53,9 @@ def link(
 ) -> Linked:
     """Return the functions as one object."""
     functions: Linked = new_links(LINKED)
-    functions.dynamics = dynamics
+    functions.step = step
     functions.outputs = outputs
-    functions.events = events
+    functions.look = look
     functions.transition = transition
     functions.sample = sample
     functions.further = further
@@ -55,10 +65,14 @@ def link(
 
 
 @lru_cache(maxsize=32)
-def linked(plant: PlantFunctions, further: Entry, long: Entry, real: Entry) -> Linked:
-    """Return the compiled functions of a plant, and the others, as one object.
+def linked(plant: PlantFunctions, states: int, further: Entry, long: Entry, real: Entry) -> Linked:
+    """Return the compiled functions of a plant of so many states, a multiple of 4, and the others, as one.
 
     InputFault for plant code that cannot be compiled.
     """
-    functions: Linked = link(*plant.ready(), *(each.compile() for each in (further, long, real)))
+    functions: Linked = link(
+        *ready(plant, states),
+        *map(plant.compiled, ("transition", "sample")),
+        *(each.compile() for each in (further, long, real)),
+    )
     return functions

@@ -102,7 +102,8 @@ def proceed(
 
 
 def _linked(tape: Tape) -> Linked:
-    return linked(tape.wiring.diagram.plant.model.functions, tape.further, *tape.fuzzy)
+    functions = tape.wiring.diagram.plant.model.functions
+    return linked(functions, int(tape.ints[layout.STATES]), tape.further, *tape.fuzzy)
 
 
 def next_piece(scans: int, seconds: float) -> int:

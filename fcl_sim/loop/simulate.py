@@ -7,7 +7,7 @@ import numpy as np
 
 from fcl_sim.jit import F4, FF, F, I, copy_four, entry, flat, i8, inlined, signature, u
 from fcl_sim.loop.blocks.fuzzy import Fuzzy, Singles
-from fcl_sim.loop.events import rearm
+from fcl_sim.loop.events import AT_BEGINNING, rearm
 from fcl_sim.loop.exact import advance_exactly, send
 from fcl_sim.loop.execute import Further, execute
 from fcl_sim.loop.integrate import advance
@@ -19,7 +19,6 @@ from fcl_sim.loop.layout import (
     OUTSIDE,
     PLANT_INPUTS,
     PLANT_INPUTS_AT,
-    PLANT_OUTPUTS,
     ROW_LENGTH,
     ROWS_AT,
     ROWS_END,
@@ -37,13 +36,24 @@ from fcl_sim.loop.layout import (
 from fcl_sim.loop.linked import LINKED, Linked
 from fcl_sim.loop.row import Row
 from fcl_sim.loop.work import (
+    AT_FLOATS,
+    AT_G,
+    AT_HELD,
+    AT_INTS,
+    AT_P,
+    AT_ROWS,
+    AT_X,
+    AT_Y,
     GUESS,
     INDEX,
     MODE,
+    P_SIZE,
+    PLACES,
     ROW,
     SAMPLES,
     SCAN,
     STATUS,
+    Called,
     Floats,
     Ints,
     Plant,
@@ -100,7 +110,7 @@ def begin_run(plant: Plant, work: Work, t: float) -> None:
     progress = work.progress
     progress[u(MODE)] = plant.transition(START, t, work.x, work.held, work.p, START)
     if work.ints[u(EVENTS)] > 0:
-        plant.events(t, work.x, work.held, work.p, progress[u(MODE)], work.g0)
+        plant.look(work.at, AT_BEGINNING, t, progress[u(MODE)])
         rearm(work.ints, work.g0, progress)
 
 
@@ -129,22 +139,21 @@ def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, write: 
 class Buffers(NamedTuple):
     """What the scans of a run work in besides the integration: the blocks, and the record.
 
-    `y` are the plant's outputs in `memory`; the others as `simulate` gets them.
+    All as `simulate` gets them.
     """
 
     memory: Floats
     constants: Singles
     singles: Singles
-    y: Floats
     starts: Ints
     writes: Ints
     record: Floats
 
 
-class Called(NamedTuple):
+class Others(NamedTuple):
     """The functions that a scan calls besides those of the integration."""
 
-    outputs: PlantFunction
+    outputs: Called
     sample: PlantFunction
     further: Further
     long: Fuzzy
@@ -152,7 +161,7 @@ class Called(NamedTuple):
 
 
 @flat
-def scan_on(plant: Plant, called: Called, work: Work, buffers: Buffers, until: int) -> int:
+def scan_on(plant: Plant, called: Others, work: Work, buffers: Buffers, until: int) -> int:
     """Run the scans up to `until`, as `simulate` does; flat, so that no scan counts references."""
     ints, floats, progress, memory = work.ints, work.floats, work.progress, buffers.memory
     nominal = floats[u(ints[u(STEP_AT)] + CYCLE)]
@@ -166,7 +175,7 @@ def scan_on(plant: Plant, called: Called, work: Work, buffers: Buffers, until: i
         if at == 0:
             if ints[u(SAMPLED)] == 1:
                 called.sample(start / 1e9, work.x, work.held, work.p)
-            called.outputs(start / 1e9, work.x, work.held, work.p, progress[u(MODE)], buffers.y)
+            called.outputs(work.at, start / 1e9, progress[u(MODE)])
             at = ints[u(ROWS_AT)]
         late = ints[u(MEASURED)] == 1 and scan > 0
         cycle = (start - buffers.starts[u(scan - 1)]) / 1e9 if late else nominal
@@ -222,7 +231,6 @@ def simulate(
     the block whose row is `index`, and to be called again.
     """
     first_input = ints[u(PLANT_INPUTS_AT)]
-    y = memory[0 : ints[u(PLANT_OUTPUTS)]]
     held = memory[first_input : first_input + ints[u(PLANT_INPUTS)]]
     states, count = ints[u(STATES)], ints[u(EVENTS)]
     dx, trial, middle, g0, g1, gm = (
@@ -233,8 +241,16 @@ def simulate(
         np.zeros(count),
         np.zeros(count),
     )
-    plant = Plant(functions.dynamics, functions.events, functions.transition)
-    called = Called(functions.outputs, functions.sample, functions.further, functions.long, functions.real)
-    work = Work(ints, floats, x, held, p, progress, rows, dx, trial, middle, g0, g1, gm)
-    buffers = Buffers(memory, constants, singles, y, starts, writes, record)
+    places = np.empty(PLACES, np.int64)
+    places[AT_INTS], places[AT_FLOATS] = ints.ctypes.data, floats.ctypes.data
+    places[AT_ROWS], places[AT_HELD] = rows.ctypes.data, held.ctypes.data
+    places[AT_P], places[P_SIZE] = p.ctypes.data, p.size
+    places[AT_Y], places[AT_X] = memory.ctypes.data, x.ctypes.data
+    places[AT_X + 1], places[AT_X + 2] = trial.ctypes.data, middle.ctypes.data
+    places[AT_G], places[AT_G + 1], places[AT_G + 2] = g0.ctypes.data, g1.ctypes.data, gm.ctypes.data
+    at = int(np.int64(places.ctypes.data))
+    plant = Plant(functions.step, functions.look, functions.transition)
+    called = Others(functions.outputs, functions.sample, functions.further, functions.long, functions.real)
+    work = Work(ints, floats, x, held, p, progress, rows, dx, trial, middle, g0, g1, gm, places, at)
+    buffers = Buffers(memory, constants, singles, starts, writes, record)
     return scan_on(plant, called, work, buffers, until)

@@ -2,23 +2,19 @@
 
 from math import fabs, inf, isnan
 
-from fcl_sim.jit import combine_four, copy_four, flat, inlined, shift_four, stretch, u
+from fcl_sim.jit import combine_four, copy_four, flat, inlined, u
 from fcl_sim.loop.layout import ADAPTIVE, RTOL, SCALES_AT, SCHEME_AT, STAGES, STATES, STEP_AT, TRUE_STATES
-from fcl_sim.loop.work import BASE_AT, MODE, Floats, Plant, Work, row_of
+from fcl_sim.loop.work import BASE_AT, MODE, Plant, Work, row_of
 
 # States come in pieces of 4, written out, and how many there are is looked up
 # at each turn: of a loop whose length is known beforehand the compiler makes one
 # for long vectors, and asks before each whether any two of its arrays overlap.
-# What a plant has just written goes on one by one: a processor that reads four
-# numbers at once waits until those that were written singly have left it.
 
 
 @inlined
-def derive(plant: Plant, work: Work, t: float, x: Floats, derivative: int) -> None:
+def derive(plant: Plant, work: Work, t: float) -> None:
     """Let the plant write the derivative at x into its row."""
-    states = work.ints[u(STATES)]
-    row = stretch(work.rows, u(row_of(derivative, states)), u(states))
-    plant.dynamics(t, x, work.held, work.p, work.progress[u(MODE)], row)
+    plant.step(work.at, t, 0.0, 0, 0, work.progress[u(MODE)])
 
 
 @inlined
@@ -46,54 +42,17 @@ def carry_derivative(work: Work) -> None:
 
 
 @inlined
-def shift(work: Work, origin: Floats, origin_at: int, weight: float, derivative: int) -> None:
-    """Set trial = origin + weight * a derivative, where the origin begins at a word of its buffer."""
-    trial, rows = work.trial, work.rows
-    row = row_of(derivative, work.ints[u(STATES)])
-    i = 0
-    while i < work.ints[u(STATES)]:
-        trial[u(i)] = origin[u(origin_at + i)] + weight * rows[u(row + i)]
-        trial[u(i + 1)] = origin[u(origin_at + i + 1)] + weight * rows[u(row + i + 1)]
-        trial[u(i + 2)] = origin[u(origin_at + i + 2)] + weight * rows[u(row + i + 2)]
-        trial[u(i + 3)] = origin[u(origin_at + i + 3)] + weight * rows[u(row + i + 3)]
-        i += 4
-
-
-@inlined
-def gather(work: Work, states: int, h: float, row: int, count: int) -> None:
-    """Set base = x + h * (the first `count` derivatives, weighted by the row of the scheme)."""
-    rows = work.rows
-    first, apart = row_of(0, states), u(states)
-    i = 0
-    while i < work.ints[u(STATES)]:
-        base = u(BASE_AT + i)
-        combine_four(rows, base, work.floats, u(row), rows, u(first + i), apart, u(count))
-        shift_four(rows, base, work.x, u(i), h, rows, base)
-        i += 4
-
-
-@inlined
 def attempt(plant: Plant, work: Work, t: float, h: float) -> None:
-    """Fill `trial` with the solution a step h after x; the row of derivative 0 is that at x.
+    """Fill `trial` with the solution a step h after x.
 
-    For a scheme with step control the row of the last derivative is left as
-    that at the solution.
+    For a scheme with step control, the row of derivative 0 is that at x, and
+    the row of the last is left as that at the solution.
     """
-    ints, floats = work.ints, work.floats
-    stages, states = ints[u(STAGES)], ints[u(STATES)]
-    nodes = ints[u(SCHEME_AT)]
-    adaptive = ints[u(ADAPTIVE)] == 1
-    row = nodes + stages + 1
-    shift(work, work.x, 0, h * floats[u(row)], 0)
-    for stage in range(1, stages + 1):
-        row += stage
-        if stage < stages:
-            # All of the next point but the derivative to come: work that need not wait for it.
-            gather(work, states, h, row, stage)
-        if stage < stages or adaptive:
-            derive(plant, work, t + floats[u(nodes + stage)] * h, work.trial, stage)
-        if stage < stages:
-            shift(work, work.rows, BASE_AT, h * floats[u(row + stage)], stage)
+    stages, mode = work.ints[u(STAGES)], work.progress[u(MODE)]
+    if work.ints[u(ADAPTIVE)] == 1:
+        plant.step(work.at, t, h, 1, stages, mode)
+    else:
+        plant.step(work.at, t, h, 0, stages - 1, mode)
 
 
 @flat

@@ -1,5 +1,6 @@
 """What the kernels of an integration hand to each other."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -8,6 +9,9 @@ from numpy.typing import NDArray
 from fcl_sim.jit import inlined
 from fcl_sim.plant.functions import PlantFunction
 
+Called = Callable[..., None]
+"""A function of a plant that is called by an address (`loop.called`)."""
+
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
@@ -15,8 +19,8 @@ Floats = NDArray[np.float64]
 class Plant(NamedTuple):
     """The plant's functions that an integration calls."""
 
-    dynamics: PlantFunction
-    events: PlantFunction
+    step: Called
+    look: Called
     transition: PlantFunction
 
 
@@ -28,7 +32,8 @@ class Work(NamedTuple):
     words below, `rows` the step to try next and a table of derivatives. Arrays
     for the plant's functions to fill: `dx`, `trial` and `middle` (states,), `g0`,
     `g1` and `gm` (events,), the events' functions at the beginning, at the end
-    and in the middle of a step.
+    and in the middle of a step. `at` is the address of `places`, where all
+    that is for those that are called by an address.
     """
 
     ints: Ints
@@ -44,6 +49,8 @@ class Work(NamedTuple):
     g0: Floats
     g1: Floats
     gm: Floats
+    places: Ints
+    at: int
 
 
 MODE, ARMED, STATUS, INDEX, HAPPENED, SCAN, ROW, SAMPLES, STEPS, PROGRESS = range(10)
@@ -74,3 +81,12 @@ def row_of(derivative: int, states: int) -> int:
 def rows_size(stages: int, states: int) -> int:
     """Return the number of words of `rows`."""
     return row_of(stages + 1, states)
+
+
+AT_INTS, AT_FLOATS, AT_ROWS, AT_HELD, AT_P, P_SIZE, AT_Y, AT_X, AT_G, PLACES = 0, 1, 2, 3, 4, 5, 6, 7, 10, 13
+"""Words of `places`, and their number.
+
+Addresses of the tape, of `rows`, of what the plant is given; the number of its
+parameters; the address of its outputs; those of `x`, `trial`, `middle`; of
+`g0`, `g1`, `gm`.
+"""

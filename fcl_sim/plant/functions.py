@@ -77,9 +77,10 @@ class PlantFunctions:
 
         InputFault for code that cannot be compiled.
         """
-        return tuple(self._compiled(part) for part in PARTS)
+        return tuple(self.compiled(part) for part in PARTS)
 
-    def _compiled(self, part: str) -> PlantFunction:
+    def compiled(self, part: str) -> PlantFunction:
+        """Return one of the five compiled, as `ready` does."""
         entry: Entry = getattr(self, part)
         try:
             return entry.compile()

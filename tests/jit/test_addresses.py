@@ -11,6 +11,7 @@ from fcl_sim.jit import (
     f8,
     i8,
     integers_at,
+    part_at,
     signature,
     singles_at,
     u,
@@ -34,6 +35,11 @@ def second(place):
     return doubles_at(place)[u(1)]
 
 
+@entry(signature(f8, i8, i8))
+def total(place, size):
+    return part_at(place, size).sum()
+
+
 def test_what_a_kernel_writes_by_an_address_is_in_the_array():
     arrays = [np.arange(3, 7).astype(kind) for kind in MAKERS]
     doubled(*map(address, arrays))
@@ -43,6 +49,11 @@ def test_what_a_kernel_writes_by_an_address_is_in_the_array():
 def test_a_row_of_an_array_has_an_address_of_its_own():
     rows = np.arange(6.0).reshape(2, 3)
     assert [second(address(row)) for row in rows] == [1.0, 4.0]
+
+
+def test_a_part_has_a_size():
+    numbers = np.arange(6.0)
+    assert [total(address(numbers), size) for size in (0, 3, 6)] == [0.0, 3.0, 15.0]
 
 
 def test_numbers_that_do_not_follow_one_another_have_no_address():
