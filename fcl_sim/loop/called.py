@@ -53,8 +53,8 @@ STEP_TYPE, OUTPUTS_TYPE, LOOK_TYPE = (function_type(*each) for each in (STEP, OU
 Called = Callable[..., None]
 """One of the functions below, as a kernel takes it."""
 
-STATES = 4
-"""Stands for the number of states of the plant, a multiple of 4."""
+TRUE_STATES, STATES = 1, 4
+"""Stand for the number of states of the plant, and for that with the padding, a multiple of 4."""
 
 
 def own(*_: Any) -> None:
@@ -63,21 +63,29 @@ def own(*_: Any) -> None:
 
 @inlined
 def shift(
-    trial: Floats, origin: Floats, origin_at: int, weight: float, rows: Floats, row: int, i: int
+    trial: Floats, origin: Floats, origin_at: int, weight: float, rows: Floats, row: int, i: int, left: int
 ) -> None:
-    """Set four states of `trial`, from i on, to those of the origin plus a weight times a derivative.
+    """Set states of `trial`, from i on, to those of the origin plus a weight times a derivative.
 
-    What a plant has just written is read one by one: a processor that reads
-    four numbers at once waits until those that were written singly have left it.
+    Four, or as many as are `left`: padding stays 0. What a plant has just
+    written is read one by one: a processor that reads four numbers at once
+    waits until those that were written singly have left it.
     """
+    b = c = d = 0.0
     a = origin[u(origin_at + i)] + weight * rows[u(row + i)]
-    b = origin[u(origin_at + i + 1)] + weight * rows[u(row + i + 1)]
-    c = origin[u(origin_at + i + 2)] + weight * rows[u(row + i + 2)]
-    d = origin[u(origin_at + i + 3)] + weight * rows[u(row + i + 3)]
+    if left > 1:
+        b = origin[u(origin_at + i + 1)] + weight * rows[u(row + i + 1)]
+    if left > 2:
+        c = origin[u(origin_at + i + 2)] + weight * rows[u(row + i + 2)]
+    if left > 3:
+        d = origin[u(origin_at + i + 3)] + weight * rows[u(row + i + 3)]
     trial[u(i)] = a
-    trial[u(i + 1)] = b
-    trial[u(i + 2)] = c
-    trial[u(i + 3)] = d
+    if left > 1:
+        trial[u(i + 1)] = b
+    if left > 2:
+        trial[u(i + 2)] = c
+    if left > 3:
+        trial[u(i + 3)] = d
 
 
 def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
@@ -96,7 +104,7 @@ def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
     row = nodes + stages + 1
     if first > 0:
         for i in range(0, STATES, 4):
-            shift(trial, x, 0, h * floats[u(row)], rows, row_of(0, STATES), i)
+            shift(trial, x, 0, h * floats[u(row)], rows, row_of(0, STATES), i, TRUE_STATES - i)
     for stage in range(first, last + 1):
         row += stage
         if 0 < stage < stages:
@@ -112,9 +120,9 @@ def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
             weight = h * floats[u(row + stage)]
             for i in range(0, STATES, 4):
                 if stage == 0:
-                    shift(trial, x, 0, weight, rows, found, i)
+                    shift(trial, x, 0, weight, rows, found, i, TRUE_STATES - i)
                 else:
-                    shift(trial, rows, BASE_AT, weight, rows, found, i)
+                    shift(trial, rows, BASE_AT, weight, rows, found, i, TRUE_STATES - i)
 
 
 def outputs(at: int, t: float, mode: int) -> None:
@@ -139,28 +147,28 @@ _CALLED = {"dynamics": (step, STEP), "outputs": (outputs, OUTPUTS), "events": (l
 
 
 @lru_cache(maxsize=256)
-def called(plant: PlantFunctions, part: str, states: int) -> Entry:
-    """Return what a run calls for `part` of a plant of so many states.
+def called(plant: PlantFunctions, part: str, true: int, states: int) -> Entry:
+    """Return what a run calls for `part` of a plant of so many states, without padding and with it.
 
     It is the function above with the plant's own in the place of `own`, in
     globals of its own: what numba finds there is part of the code.
     """
     entry: Entry = getattr(plant, part)
     function, parts = _CALLED[part]
-    known = {**function.__globals__, "own": copied(entry.function), "STATES": states}
+    known = {**function.__globals__, "own": copied(entry.function), "TRUE_STATES": true, "STATES": states}
     made = FunctionType(function.__code__, known, function.__name__)
-    made.__qualname__ = f"{function.__name__}_{states}_{plant.path.stem}_{entry.salt[:16]}"
+    made.__qualname__ = f"{function.__name__}_{true}_{states}_{plant.path.stem}_{entry.salt[:16]}"
     return Entry(made, signature(*parts), entry.salt)
 
 
-def ready(plant: PlantFunctions, states: int) -> tuple[Called, ...]:
+def ready(plant: PlantFunctions, true: int, states: int) -> tuple[Called, ...]:
     """Return the three compiled; InputFault for plant code that cannot be."""
-    return tuple(_compiled(plant, part, states) for part in _CALLED)
+    return tuple(_compiled(plant, part, true, states) for part in _CALLED)
 
 
-def _compiled(plant: PlantFunctions, part: str, states: int) -> Called:
+def _compiled(plant: PlantFunctions, part: str, true: int, states: int) -> Called:
     try:
-        return called(plant, part, states).compile()
+        return called(plant, part, true, states).compile()
     except Exception:
         plant.compiled(part)  # what is wrong with it is said of it alone
         raise

@@ -65,13 +65,13 @@ def link(
 
 
 @lru_cache(maxsize=32)
-def linked(plant: PlantFunctions, states: int, further: Entry, long: Entry, real: Entry) -> Linked:
-    """Return the compiled functions of a plant of so many states, a multiple of 4, and the others, as one.
+def linked(plant: PlantFunctions, true: int, states: int, further: Entry, long: Entry, real: Entry) -> Linked:
+    """Return the compiled functions of a plant of so many states, without and with padding, and the others.
 
     InputFault for plant code that cannot be compiled.
     """
     functions: Linked = link(
-        *ready(plant, states),
+        *ready(plant, true, states),
         *map(plant.compiled, ("transition", "sample")),
         *(each.compile() for each in (further, long, real)),
     )

@@ -103,7 +103,8 @@ def proceed(
 
 def _linked(tape: Tape) -> Linked:
     functions = tape.wiring.diagram.plant.model.functions
-    return linked(functions, int(tape.ints[layout.STATES]), tape.further, *tape.fuzzy)
+    true, states = (int(tape.ints[word]) for word in (layout.TRUE_STATES, layout.STATES))
+    return linked(functions, true, states, tape.further, *tape.fuzzy)
 
 
 def next_piece(scans: int, seconds: float) -> int:
