@@ -1,7 +1,9 @@
 """An instance of a function block, called as IEC 61131-3 calls one."""
 
+from collections.abc import Callable
 from functools import partial
 from math import isfinite
+from operator import itemgetter
 from typing import Any, cast
 
 from fcl_sim.engine.entries import NOTHING, WITH_THE_CALL, one_for, placed
@@ -43,13 +45,17 @@ class Instance:
         self._results = {name: place for place, name in enumerate(program.output_names, program.outputs_at)}
         self._fits = isfinite if program.arithmetic == "LREAL" else _fits_real
         run = one_for(program).compile()
-        few = len(self._places) if len(self._places) <= WITH_THE_CALL else 0
-        self._placed = placed(program, self._memory, 0), placed(program, self._memory, few)
+        count = len(self._places)
+        # What numba takes for a number is one; uncompiled, all sorts of things would be.
+        together = compiled() and count <= WITH_THE_CALL
+        self._placed = (
+            placed(program, self._memory, 0),
+            placed(program, self._memory, count if together else 0),
+        )
         self._run = partial(run, *NOTHING, address(self._placed[0]))
-        # One attribute: with a __getattr__, each costs a call a twentieth of its time. What numba
-        # takes for a number is one; uncompiled, all sorts of things would be.
-        names = program.input_names if compiled() and few == len(self._places) else None
-        self._together = names, run, (*NOTHING[few:], address(self._placed[1]))
+        # One attribute: with a __getattr__, each costs a call a twentieth of its time.
+        rest = (*NOTHING[count:], address(self._placed[1]))
+        self._together = _picked(program.input_names), count if together else -1, run, rest
 
     def __call__(self, **inputs: float) -> None:
         """Evaluate once.
@@ -58,13 +64,13 @@ class Instance:
         for a number that is not finite (S37), or beyond REAL; the instance is then
         as it was.
         """
-        names, run, rest = self._together
-        if tuple(inputs) == names:  # inputs in their order go in with the call
+        picked, count, run, rest = self._together
+        if len(inputs) == count:  # all of them go in with the call
             try:
-                if run(*inputs.values(), *rest):
+                if run(*picked(inputs) + rest):
                     return
-            except (TypeError, ValueError, OverflowError):
-                pass  # numbers of other kinds, or none
+            except (KeyError, TypeError, ValueError, OverflowError):
+                pass  # other names, numbers of other kinds, or none
         self._write(inputs)
         self._run()
 
@@ -159,6 +165,13 @@ class Instance:
 
     def _stretch(self, start: int, names: tuple[str, ...]) -> dict[str, float]:
         return dict(zip(names, self._words[start : start + len(names)].tolist(), strict=True))
+
+
+def _picked(names: tuple[str, ...]) -> Callable[[dict[str, Any]], tuple[Any, ...]]:
+    """Return what takes the values of names, in their order, out of a dictionary."""
+    if len(names) > 1:
+        return itemgetter(*names)  # which is quicker, but of one name makes no tuple
+    return lambda inputs: tuple([inputs[name] for name in names])
 
 
 def _fits_real(value: float) -> bool:
