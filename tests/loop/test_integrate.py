@@ -119,6 +119,53 @@ def test_halving_the_step_shows_the_declared_order_of_a_scheme(name, tmp_path):
     assert orders == pytest.approx([SCHEMES[name].order] * 2, abs=0.25)
 
 
+def oscillators(number, moving):
+    """Return the text of so many oscillators, two states each, moved by the lines of `moving`."""
+    states = ", ".join(
+        f'State("x{n}", "m", {n + 1.0}, "place"), State("v{n}", "m/s", 0.0, "speed")' for n in range(number)
+    )
+    lines = "\n".join(f"    {line.format(x=2 * n, v=2 * n + 1)}" for n in range(number) for line in moving)
+    return f"""
+import numpy as np
+PLANT = Plant(
+    name="oscillators", title="harmonic oscillators", states=({states}),
+    inputs=(), outputs=(Output("place", "m", "of the last"),),
+)
+
+def dynamics(t, x, u, p, mode, dx):
+{lines}
+
+def outputs(t, x, u, p, mode, y):
+    y[0] = x[{2 * number - 2}]
+"""
+
+
+SINGLY = ("dx[{x}] = x[{v}]", "dx[{v}] = -x[{x}]")
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_a_state_moves_alike_among_any_number_of_others(scheme, tmp_path):
+    places = []
+    for number in (1, 2, 3, 4, 5):
+        model = plant_of(tmp_path, oscillators(number, SINGLY), f"of_{number}")
+        # a fixed step: one of step control would be as short as the largest swing needs it
+        integration = Integration(scheme=scheme, rtol=1e6, step=0.05)
+        trace = run(alone(model, timing(50.0, 3.0), integration))
+        places.append(trace["plant.place"] / number)
+    assert np.abs(places - places[0]).max() < 1e-14
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_a_plant_may_work_in_arrays_of_its_own(scheme, tmp_path):
+    through_an_array = ("way = np.zeros(2)", "way[0] = x[{v}]", "dx[{x}] = way[0]", "dx[{v}] = -x[{x}]")
+    integration = Integration(scheme=scheme, step=0.05)
+    with_it, without = (
+        run(alone(plant_of(tmp_path, oscillators(2, moving), name), timing(50.0, 3.0), integration)).values
+        for name, moving in (("own", through_an_array), ("none", SINGLY))
+    )
+    assert np.array_equal(with_it, without)
+
+
 @pytest.mark.parametrize("name", SCHEMES)
 def test_the_rows_of_a_scheme_are_consistent_with_its_nodes(name):
     scheme = SCHEMES[name]
