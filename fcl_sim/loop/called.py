@@ -6,7 +6,6 @@ code that is compiled for each plant: there the plant's function is copied in,
 and the number of states is known.
 """
 
-from collections.abc import Callable
 from functools import lru_cache
 from types import FunctionType
 from typing import Any
@@ -40,6 +39,7 @@ from fcl_sim.loop.work import (
     AT_Y,
     BASE_AT,
     P_SIZE,
+    Called,
     Floats,
     row_of,
 )
@@ -49,9 +49,6 @@ STEP = (void, i8, f8, f8, i8, i8, i8)
 OUTPUTS = (void, i8, f8, i8)
 LOOK = (void, i8, i8, f8, i8)
 STEP_TYPE, OUTPUTS_TYPE, LOOK_TYPE = (function_type(*each) for each in (STEP, OUTPUTS, LOOK))
-
-Called = Callable[..., None]
-"""One of the functions below, as a kernel takes it."""
 
 TRUE_STATES, STATES = 1, 4
 """Stand for the number of states of the plant, and for that with the padding, a multiple of 4."""

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from fcl_sim.jit import Entry, F, f8, function_type, i8, signature, void
+from fcl_sim.jit import Entry, F, f8, i8, signature, void
 from fcl_sim.plant.places import PlantFile
 from fcl_sim.plant.uncompiled import uncompiled
 
@@ -40,9 +40,6 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
 """Names of the arguments, as a plant file writes them."""
 
 REQUIRED = ("dynamics", "outputs")
-
-FUNCTION_TYPES = tuple(function_type(*parts) for parts in PARTS.values())
-"""Signature parts of the five functions as arguments of a kernel."""
 
 
 def events(t: float, x: Array, u: Array, p: Array, mode: int, g: Array) -> None:
