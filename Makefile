@@ -18,7 +18,7 @@ fuzz_stamp := $(venv)/fuzz.stamp
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help run test lint smoke bench gate speed prove mutants docs fuzz images lock clean
+.PHONY: help run test lint smoke kernels bench gate speed prove mutants docs fuzz images lock clean
 
 help: ## this list
 	@echo "make TARGET, where TARGET is one of"
@@ -28,7 +28,7 @@ run: $(run_stamp) ## set up, run the shipped bench, write reports/
 	@$(python) -m fcl_sim run
 
 test: $(test_stamp) ## set up, check the style, install the wheel, run all tests
-	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target lint smoke
+	@$(MAKE) --no-print-directory --jobs 2 --output-sync=target lint smoke kernels
 	@$(python) -m pytest -n $(WORKERS)
 
 lint: $(test_stamp) ## style, types and the floors of the house
@@ -51,6 +51,9 @@ smoke: $(test_stamp) ## build the wheel, install it elsewhere, start a bench fro
 	@elsewhere=$$(mktemp -d) && trap 'rm -rf "$$elsewhere"' EXIT && cd "$$elsewhere" && \
 	  command=$(CURDIR)/build/smoke/venv/bin/fcl-sim && $$command new bench >run.log && cd bench && \
 	  $$command run scenarios/pi/velocity.toml >../run.log && test -s reports/report.pdf && tail -n 1 ../run.log
+
+kernels: $(test_stamp) ## compile what the tests share (a minute, once)
+	@$(python) -m tests.kernels
 
 bench: $(test_stamp) ## measure the speed, against C and other Python libraries
 	@$(python) -m benchmarks

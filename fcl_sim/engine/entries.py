@@ -267,3 +267,8 @@ _MANY = {
 def many_for(program: Program) -> Entry:
     """Return what evaluates a program over arrays."""
     return _MANY[program.arithmetic, program.curved]
+
+
+def entries_in(arithmetic: str) -> list[Entry]:
+    """Return all that evaluates programs in an arithmetic."""
+    return [own for table in (_MANY, _ONE) for (name, _), own in table.items() if name == arithmetic]

@@ -16,6 +16,7 @@ import numba
 from numba.core import caching, targetconfig
 from numba.core.compiler import Flags
 from numba.core.registry import CPUDispatcher
+from numba.core.types.misc import unliteral
 
 from fcl_sim.jit.signatures import compiled
 from fcl_sim.jit.singles import Pipeline
@@ -35,6 +36,15 @@ class _Inner(CPUDispatcher):
 
     def __call__(self, *arguments: Any) -> Any:
         return self.py_func(*arguments)
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Return how a call is typed: of a constant that is passed its type counts, not its value.
+
+        For each value numba would compile the function anew, and all that it
+        calls. What is copied into its caller is the same without.
+        """
+        plain = {name: unliteral(each) for name, each in kws.items()}
+        return super().get_call_template(tuple(map(unliteral, args)), plain)
 
 
 class _Apart(_Inner):
