@@ -1,6 +1,6 @@
 """The engine against the oracle on one rule base: what differs, and by how much at most."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -11,7 +11,7 @@ from fcl_sim.engine.entries import evaluate_once
 from fcl_sim.engine.narrow import narrowed
 from fcl_sim.engine.precision import LREAL, REAL, Precision
 from fcl_sim.engine.program import Program
-from fcl_sim.model import Defuzzification, FunctionBlock, Method
+from fcl_sim.model import AndOperator, Defuzzification, FunctionBlock, Method
 from tests import oracle
 from tests.oracle import Opinion
 from tests.oracle_areas import Area
@@ -96,6 +96,8 @@ def errors_at(
             yield f"accumulated {key}", float(abs(ours - degree)), bound
     defined = {each.variable: each for each in base.defuzzifications}
     for place, name in enumerate(program.output_names):
+        if is_remainder(base, opinion, name, memory[program.degrees_at :], bounds.rule):
+            continue
         if name in opinion.outputs and is_well_posed(defined.get(name), opinion, name, bounds.near):
             ours = Fraction(float(memory[program.outputs_at + place]))
             active = memory[program.active_at + place] != 0.0
@@ -128,6 +130,28 @@ def is_well_posed(output: Defuzzification | None, opinion: Opinion, name: str, n
     top = max(degrees, default=Fraction(0))
     tied = output.method is not Method.COGS and any(0 < top - degree < near * top for degree in degrees)
     return top == 0 or (top >= LOW and not tied)
+
+
+def is_remainder(
+    base: FunctionBlock, opinion: Opinion, name: str, ours: Sequence[float], rounding: float
+) -> bool:
+    """Return whether an output is concluded by nothing but a bounded difference that just misses to be more.
+
+    What rounding makes of 0 = max(0, a + b - 1) is as large as the rounding of a
+    and b; whether a rule is active hangs on it. That a degree is 0 by structure,
+    of a term or by any other operator, stays to be met to the last bit.
+    """
+    rules = [(block, rule) for block in base.rule_blocks for rule in block.rules]
+    concluding = [
+        (block, opinion.rules[place], float(ours[place]))
+        for place, (block, rule) in enumerate(rules)
+        if any(each.variable == name for each in rule.conclusions)
+    ]
+    fired = [(block, exact, mine) for block, exact, mine in concluding if exact > 0 or mine > 0]
+    return bool(fired) and all(
+        exact == 0 and mine <= rounding and block.and_operator is AndOperator.BDIF
+        for block, exact, mine in fired
+    )
 
 
 def is_near_tie(method: Method, area: Area, near: Fraction = LOW) -> bool:
