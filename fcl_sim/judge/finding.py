@@ -15,3 +15,4 @@ class Finding:
     value: float | None = None
     limits: Limits | None = None
     violation: tuple[float, float] | None = None
+    blamed: tuple[str, ...] = ()

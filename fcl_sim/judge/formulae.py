@@ -36,6 +36,7 @@ def consider(trace: Trace, formula: Formula) -> Finding:
         reason=f"the formula does not hold{_margin(trace, found)}{_first(trace, found)}",
         value=value,
         violation=_violation(trace, found),
+        blamed=found.blamed,
     )
 
 

@@ -54,6 +54,7 @@ def _judge_one(trace: Trace, requirement: Requirement, runs: Mapping[str, Trace]
         reason=reason,
         band=_band(requirement, found.limits),
         violation=found.violation,
+        blamed=found.blamed,
     )
 
 

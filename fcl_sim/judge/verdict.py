@@ -140,7 +140,8 @@ class Verdict:
     requirement's unit, None where it could not be taken; of a formula it is the
     robustness. `definition` is the metric in words, or the formula, `reason`
     one sentence for a reader.
-    `violation` is what is first violated, from when to when in seconds.
+    `violation` is what is first violated, from when to when in seconds; `blamed`
+    are, of a formula, the signals that violate it there.
     """
 
     requirement: Requirement
@@ -151,3 +152,4 @@ class Verdict:
     reason: str
     band: Band | None = None
     violation: tuple[float, float] | None = None
+    blamed: tuple[str, ...] = ()

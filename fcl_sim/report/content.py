@@ -17,7 +17,7 @@ from fcl_sim.report.pictures import Picture
 from fcl_sim.report.placed import Register, placed
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
 from fcl_sim.report.rule_bases import rule_base_data, rule_bases
-from fcl_sim.report.setting import milliseconds, setup_of, unlike_base
+from fcl_sim.report.setting import accuracy, milliseconds, setup_of, unlike_base
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
 from fcl_sim.report.stills import stills_of
 from fcl_sim.report.story import story_data
@@ -27,7 +27,6 @@ from fcl_sim.report.words import (
     counted,
     ending,
     joined,
-    number,
     one_line,
     plain,
     together,
@@ -61,7 +60,7 @@ def report_data(stored: Stored, register: Register) -> Data:
         "sentence": summary.sentence(outcomes),
         "footer": f"fcl_sim {__version__}",
         "overview": [_overview(outcome, f"s{index}") for index, outcome in enumerate(outcomes)],
-        "signed": sign_off(outcomes, stored.origin, stored.covered, stored.proofs),
+        "signed": sign_off(stored),
         "matrix": {
             "tables": matrix_rows(outcomes),
             "legend": legend(),
@@ -253,7 +252,7 @@ def run_text(outcome: Outcome, run: Run) -> str:
 def facts_of(outcome: Outcome) -> list[Data]:
     """Return how a scenario is set up: plant, timing, accuracy."""
     diagram = outcome.base.diagram
-    plant, timing, integration = diagram.plant, diagram.timing, diagram.integration
+    plant, timing = diagram.plant, diagram.timing
     declared = plant.model.declaration
     rows = [fact("Plant", f"{declared.title} ({declared.name})" if declared.title else declared.name)]
     times = f"{with_unit(timing.duration / 1e9, 's', 9)}, scan {milliseconds(timing.scan)}"
@@ -266,8 +265,8 @@ def facts_of(outcome: Outcome) -> list[Data]:
         rows.append(
             fact("Overrides", *(f"{key} = {each}" for key, each in outcome.scenario.overrides.items()))
         )
-    accuracy = f"{integration.scheme}, relative tolerance {number(integration.rtol)}"
-    rows.append(fact("Integration", "exact, the plant is linear" if diagram.exact else accuracy))
+    told = "exact, the plant is linear" if diagram.exact else accuracy(diagram.integration)
+    rows.append(fact("Integration", told))
     return rows
 
 
@@ -313,7 +312,6 @@ def _result(run: Run, verdict: Verdict) -> Data:
     return {
         "run": one_line(run.variant),
         "value": value(verdict),
-        "status": str(verdict.status),
-        "expected": summary.expected_miss(verdict),
+        "status": summary.shown(verdict),
         "note": "" if plainly_met else reason,
     }

@@ -51,7 +51,7 @@ def envelope_rows(envelope: Envelope) -> list[dict[str, Any]]:
             "asked": one_line(f"{_about(each)}: {summary.envelope_bound(each)}"),
             "passed": summary.passed(each),
             "worst": "" if each.worst is None else one_line(_worst(envelope, each)),
-            "status": str(each.status),
+            "status": summary.shown(each),
         }
         for each in envelope.verdicts
     ]
@@ -66,8 +66,21 @@ def _about(verdict: EnvelopeVerdict) -> str:
 
 def _worst(envelope: Envelope, verdict: EnvelopeVerdict) -> str:
     place = "" if verdict.worst is None else together(envelope.grid.told(verdict.worst))
-    word = "Furthest" if verdict.requirement.over is Over.MEAN else "Worst"
-    return f"{word}: {summary.at_worst(verdict)} at {place}"
+    return f"{_decisive(verdict)}: {summary.at_worst(verdict)} at {place}"
+
+
+def _decisive(verdict: EnvelopeVerdict) -> str:
+    """Return what the point that is told is: where all are to miss a bound, the one that nearly keeps it."""
+    if verdict.requirement.over is Over.MEAN:
+        return "Furthest"
+    return "Nearest to its bound" if verdict.requirement.expect_fail else "Worst"
+
+
+def _ringed(shown: Sequence[EnvelopeVerdict]) -> str:
+    meant = {each.requirement.expect_fail for each in shown}
+    if meant == {True}:
+        return "the point nearest to its bound, which all are expected to miss"
+    return "the worst point" + (" or, where all are expected to miss, the nearest" if len(meant) > 1 else "")
 
 
 def envelope_pictures(run: Run, envelope: Envelope) -> list[Picture]:
@@ -76,8 +89,9 @@ def envelope_pictures(run: Run, envelope: Envelope) -> list[Picture]:
     found = []
     if shown:
         caption = (
-            "What each requirement measures at every point, the points one above the other in their order. "
-            "The band is what the requirement allows, the ring the worst point."
+            f"Run {one_line(run.variant)}: what each requirement measures at every point of its envelope, "
+            "the points one above the other in their order. "
+            f"The band is what the requirement allows, the ring {_ringed(shown)}."
         )
         found.append(
             Picture(
@@ -100,7 +114,8 @@ def _over_time(run: Run, envelope: Envelope) -> list[Picture]:
     return [
         Picture(
             name=f"{run.variant}-envelope-worst-{number + 1}",
-            caption="The worst points of the requirements that are missed, beside the nominal run.",
+            caption=f"Run {one_line(run.variant)}: the worst points of the requirements that are missed, "
+            "beside the nominal run.",
             alt=alt.of_runs(runs, page),
             draw=partial(time_plot, runs, page),
         )

@@ -4,7 +4,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import PurePath
 from typing import Any
 
-from fcl_sim.loop.diagram import Diagram, FuzzyNode, Overruns, PlantNode, Restart
+from fcl_sim.loop.diagram import Diagram, FuzzyNode, Integration, Overruns, PlantNode, Restart
+from fcl_sim.loop.schemes import SCHEMES
 from fcl_sim.loop.settings import AnyNode
 from fcl_sim.report.constants import (
     Constant,
@@ -80,6 +81,13 @@ def _named(found: Iterable[tuple[str, str, str]]) -> Iterator[str]:
 
 def _changed(old: str, new: str) -> str:
     return f"{one_line(old) or 'none'} {ARROW} {one_line(new) or 'none'}"
+
+
+def accuracy(integration: Integration) -> str:
+    """Return the scheme that integrates a plant, and what bounds its error: a tolerance, or the step."""
+    if SCHEMES[integration.scheme].error:
+        return f"{integration.scheme}, relative tolerance {number(integration.rtol)}"
+    return f"{integration.scheme}, step {milliseconds(round(integration.step * 1e9))}"
 
 
 def _timing(base: Diagram, other: Diagram) -> Iterator[str]:

@@ -7,12 +7,14 @@ from typing import Any
 from fcl_sim.model import FunctionBlock
 from fcl_sim.plant.catalog import PlantModel
 from fcl_sim.plant.declaration import Parameter
+from fcl_sim.report.archive import Stored
 from fcl_sim.report.constants import ASSUMED
 from fcl_sim.report.proved import Proved
-from fcl_sim.report.provenance import Origin, fuzzy_nodes, inputs_of
+from fcl_sim.report.provenance import InputFile, Origin, fuzzy_nodes, inputs_of
 from fcl_sim.report.results import versions
-from fcl_sim.report.setting import milliseconds
-from fcl_sim.report.words import counted, exactly, joined, number, one_line
+from fcl_sim.report.setting import accuracy, milliseconds
+from fcl_sim.report.story import Story
+from fcl_sim.report.words import counted, exactly, joined, one_line
 from fcl_sim.scenario.revision import Revision
 from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.coverage import Coverage
@@ -41,23 +43,25 @@ def fact(label: str, *values: str, mono: bool = False) -> Data:
     return {"label": label, "values": [one_line(each) for each in values], "mono": mono}
 
 
-def sign_off(
-    outcomes: Sequence[Outcome], origin: Origin, covered: Sequence[Coverage], proofs: Sequence[Proved]
-) -> Data:
+def sign_off(stored: Stored) -> Data:
     """Return what the page says that is signed."""
-    runs = [run for outcome in outcomes for run in outcome.variants.values()]
+    runs = [run for outcome in stored.outcomes for run in outcome.variants.values()]
     return {
-        "files": files(outcomes),
-        "facts": [*revisions(origin), *computed(runs)],
+        "files": files(stored.outcomes, stored.stories),
+        "facts": [*revisions(stored.origin), *computed(runs)],
         "assumptions": [*assumptions(runs)],
-        "waivers": [*waivers(covered, proofs)],
+        "waivers": [*waivers(stored.covered, stored.proofs)],
         "signers": list(SIGNERS),
     }
 
 
-def files(outcomes: Iterable[Outcome]) -> list[Data]:
-    """Return every input once, by its role, with its SHA-256."""
-    found = {(each.role, each.name, each.digest): each for outcome in outcomes for each in inputs_of(outcome)}
+def files(outcomes: Iterable[Outcome], stories: Iterable[Story] = ()) -> list[Data]:
+    """Return every input once, by its role, with its SHA-256; the texts that are told last."""
+    inputs = [each for outcome in outcomes for each in inputs_of(outcome)]
+    inputs += [
+        InputFile(role="text", name=each.name, path=each.folder, digest=each.digest) for each in stories
+    ]
+    found = {(each.role, each.name, each.digest): each for each in inputs}
     roles = list(dict.fromkeys(each.role for each in found.values()))
     ordered = sorted(found.values(), key=lambda each: roles.index(each.role))
     return [
@@ -96,9 +100,12 @@ def computed(runs: Sequence[Run]) -> Iterator[Data]:
     timings = [run.diagram.timing for run in runs]
     if timings:
         yield fact("Scan", joined([milliseconds(each) for each in sorted({each.scan for each in timings})]))
-    seeds = sorted({each.seed for each in timings})
+    seeds = [joined([str(each) for each in sorted({each.seed for each in timings})])] if timings else []
+    varied = sorted({int(each) for run in runs for each in _varied(run, "timing.seed")})
+    if varied:
+        seeds.append(f"in envelopes {joined([str(each) for each in varied])}")
     if seeds:
-        yield fact("Seeds of noise and jitter", joined([str(each) for each in seeds]))
+        yield fact("Seeds of noise and jitter", "; ".join(seeds))
     blocks = [node for run in runs for node in fuzzy_nodes(run)]
     if blocks:
         yield fact(
@@ -121,10 +128,7 @@ def _arithmetics(blocks: Iterable[tuple[str, FunctionBlock]]) -> list[str]:
 
 def _integrations(runs: Iterable[Run]) -> list[str]:
     found = dict.fromkeys(
-        "exact, of linear plants"
-        if run.diagram.exact
-        else f"{run.diagram.integration.scheme}, relative tolerance {number(run.diagram.integration.rtol)}"
-        for run in runs
+        "exact, of linear plants" if run.diagram.exact else accuracy(run.diagram.integration) for run in runs
     )
     return list(found)
 
@@ -165,11 +169,17 @@ def _axes(parameter: Parameter, runs: Sequence[Run]) -> list[str]:
     """Return what envelopes make of a parameter, each range once."""
     found: dict[str, None] = {}
     for run in runs:
-        for axis in run.envelope.grid.axes if run.envelope is not None else ():
-            if axis.key.endswith(f".parameters.{parameter.name}"):
-                ends = [one_line(str(each.plain())) for each in (axis.values[0], axis.values[-1])]
-                found[f"{ends[0]} to {ends[1]} in envelopes"] = None
+        values = _varied(run, f".parameters.{parameter.name}")
+        ends = [one_line(str(each)) for each in (*values[:1], *values[-1:])]
+        if ends:
+            found[f"{' to '.join(dict.fromkeys(ends))} in envelopes"] = None
     return list(found)
+
+
+def _varied(run: Run, ending: str) -> list[Any]:
+    """Return the values that the envelope of a run gives to what ends so, as the scenario writes them."""
+    axes = run.envelope.grid.axes if run.envelope is not None else ()
+    return [each.plain() for axis in axes if axis.key.endswith(ending) for each in axis.values]
 
 
 def waivers(covered: Sequence[Coverage], proofs: Sequence[Proved]) -> Iterator[Data]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -17,28 +18,34 @@ README = "README.md"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Story:
-    """The README of a folder: its name for a reader, the folder, the text."""
+    """The README of a folder: its name for a reader, the folder, the text, the SHA-256 of the file in hex."""
 
     name: str
     folder: Path
     text: str
+    digest: str
 
 
 def stories_of(outcomes: Sequence[Outcome]) -> tuple[Story, ...]:
     """Return the story of each folder of scenarios that has one, in the order of the scenarios."""
     folders = dict.fromkeys(each.scenario.path.parent for each in outcomes)
     return tuple(
-        Story(name=shown(folder / README), folder=folder, text=text)
+        Story(
+            name=shown(folder / README),
+            folder=folder,
+            text=data.decode(errors="replace").replace("\r\n", "\n"),
+            digest=sha256(data).hexdigest(),
+        )
         for folder in folders
-        if (text := _read(folder / README))
+        if (data := _read(folder / README))
     )
 
 
-def _read(path: Path) -> str:
+def _read(path: Path) -> bytes:
     try:
-        return path.read_text(encoding="utf-8", errors="replace")
+        return path.read_bytes()
     except OSError:
-        return ""
+        return b""
 
 
 def story_data(stories: Sequence[Story], outcome: Outcome, before: Sequence[Outcome]) -> Data | None:

@@ -10,6 +10,8 @@ from fcl_sim.judge.verdict import Over, Status, Verdict, worst
 from fcl_sim.report.words import bound, counted, ending, expectation, figure, joined, one_line, value
 from fcl_sim.testbench import Outcome, Run
 
+EXPECTED_MISS = "EXPECTED MISS"
+
 MOST_ENVELOPES = 5
 """Envelopes whose numbers of points a sentence lists; of more it tells the least and the largest."""
 
@@ -229,6 +231,11 @@ def _good(verdicts: Sequence[AnyVerdict]) -> str:
 def expected_miss(verdict: AnyVerdict) -> bool:
     """Return whether a requirement is missed, as it is expected to be."""
     return verdict.requirement.expect_fail and verdict.status is Status.PASS
+
+
+def shown(verdict: AnyVerdict) -> str:
+    """Return the verdict as a table shows it: a miss does not look like a success, be it ever so expected."""
+    return EXPECTED_MISS if expected_miss(verdict) else str(verdict.status)
 
 
 def _misses(verdicts: Sequence[AnyVerdict]) -> str:

@@ -25,6 +25,7 @@ from fcl_sim.report.frame import draw_frame, room_below, scale_of, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.naming import FOOT, Name, arranged, draw_names, height_of
 from fcl_sim.report.stretches import stretches
+from fcl_sim.report.violations import all_violations
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
 
 LEFT, RIGHT = 14.0, 18.0
@@ -229,11 +230,7 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
 
 
 def _violations(lane: Lane, run: Shown) -> list[Interval]:
-    return [
-        each.violation
-        for each in run.verdicts
-        if each.violation and not set(lane.names).isdisjoint(each.requirement.signals)
-    ]
+    return list(dict.fromkeys(all_violations(run.trace, run.verdicts, lane.names)))
 
 
 def bands_of(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:

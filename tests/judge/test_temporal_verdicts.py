@@ -141,6 +141,29 @@ def test_the_first_violation_is_where_a_reader_would_look(text, x, y, expected):
     assert consider(formula(text), trace(x, y)).violation == expected
 
 
+BLAMED = [
+    ("always (x < 5 and y < 5)", [1, 8, 1], [1, 1, 1], ("x",)),
+    ("always (x < 5 and y < 5)", [1, 8, 1], [1, 9, 1], ("x", "y")),
+    ("within 3 s (x < 5 and y < 5) for good", [1, 8, 8, 8, 8], [1, 1, 1, 1, 1], ("x",)),
+    ("whenever x > 1, then y > 1", [0, 2, 0], [0, 0, 0], ("y",)),
+    ("never (x > 5 or y > 5)", [1, 1, 1], [1, 8, 1], ("y",)),
+    ("always not (x > 5 implies y > 5)", [9, 1, 9], [1, 1, 1], ("x",)),
+    ("x < 5 until y > 0", [1, 1, 8, 8], [0, 0, 0, 1], ("x", "y")),
+    ("eventually rise(x > 1)", [0, 0, 0], [0, 0, 0], ("x",)),
+]
+
+
+@pytest.mark.parametrize(
+    ("text", "x", "y", "expected"), BLAMED, ids=[f"{each[0]} {each[1]} {each[2]}" for each in BLAMED]
+)
+def test_to_blame_are_the_signals_that_make_it_false_there(text, x, y, expected):
+    assert consider(formula(text), trace(x, y)).blamed == expected
+
+
+def test_of_a_formula_that_holds_no_signal_is_to_blame():
+    assert consider(formula("always x < 5"), trace([1, 1])).blamed == ()
+
+
 def verdict(run: Trace, text: str, *, expect_fail: bool = False):
     asked = formula(text, run.units)
     requirement = Requirement(

@@ -8,6 +8,7 @@ import pytest
 
 from fcl_sim.diagnostics import Source, Span
 from fcl_sim.judge.verdict import Status
+from fcl_sim.report.archive import Stored
 from fcl_sim.report.proved import Proved, proved
 from fcl_sim.report.provenance import EPOCH, InputFile, Origin
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
@@ -74,7 +75,8 @@ def test_waivers_of_coverage_and_of_findings_are_told(tmp_path):
         rule_base=tmp_path, what="FCL608", rule="too_far", reason="later", date=date(2026, 3, 1), span=span
     )
     proof = Proved(name="crane", file="crane.fcl", findings=(), waivers=(waiver,))
-    found = sign_off([], Origin(date=EPOCH), [], [proof])["waivers"]
+    stored = Stored(outcomes=(), covered=(), proofs=(proof,), stories=(), origin=Origin(date=EPOCH))
+    found = sign_off(stored)["waivers"]
     assert found == [
         {
             "rule_base": "crane in crane.fcl",

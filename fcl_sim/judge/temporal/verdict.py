@@ -1,6 +1,6 @@
 """Formula + Trace → verdict: three-valued, with its margin, its reason and its first violation."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -9,7 +9,7 @@ from fcl_sim.judge.temporal import explain
 from fcl_sim.judge.temporal.evaluate import HIGH, LOW, POSSIBLE, SURE, evaluate
 from fcl_sim.judge.temporal.formula import Formula
 from fcl_sim.judge.temporal.tree import Comparison
-from fcl_sim.judge.temporal.violation import violation
+from fcl_sim.judge.temporal.violation import blamed, violation
 from fcl_sim.judge.temporal.write import written
 from fcl_sim.loop.trace import Trace
 
@@ -31,14 +31,15 @@ class Judgement:
     `robustness` is how far the numbers are from the other verdict, negative
     where it does not hold; `decided_by` the comparison and the scan whose
     margin that is. `violation` are the first and last scan of what first makes
-    it fail. `about` is the text of the comparison that is broken, or of the
-    trigger that never comes, `scan` when.
+    it fail, `blamed` the signals that do so there. `about` is the text of the
+    comparison that is broken, or of the trigger that never comes, `scan` when.
     """
 
     truth: Truth
     robustness: float | None = None
     decided_by: tuple[Comparison, int] | None = None
     violation: tuple[int, int] | None = None
+    blamed: tuple[str, ...] = ()
     about: str = ""
     scan: int = 0
 
@@ -57,7 +58,9 @@ def consider(formula: Formula, trace: Trace) -> Judgement:
         return Judgement(truth=Truth.BROKEN, about=written(broken[1]), scan=broken[0])
     rows = course.rows[:, 0]
     if rows[POSSIBLE] < 0:
-        return _decided(Truth.FAILS, found, float(rows[HIGH]), violation(course))
+        where_from, where_to = violation(course)
+        failed = _decided(Truth.FAILS, found, float(rows[HIGH]), (where_from, where_to))
+        return replace(failed, blamed=blamed(course, where_from, where_to))
     if rows[SURE] < 0:
         return Judgement(truth=Truth.OPEN)
     trigger = explain.untested(found)

@@ -5,12 +5,14 @@ false, there is the stretch that makes it so: rows with its first and its last
 scan, (2, n), inf where the part is not so. They are found for all scans at once.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
 from fcl_sim.judge.temporal import windows
 from fcl_sim.judge.temporal.evaluate import POSSIBLE, SURE, Course
-from fcl_sim.judge.temporal.tree import Edge, Junction, Not, Until, Window
+from fcl_sim.judge.temporal.tree import Comparison, Edge, Junction, Not, Until, Window, signals
 from fcl_sim.loop.trace import Values
 
 Mask = NDArray[np.bool_]
@@ -23,6 +25,33 @@ def violation(course: Course) -> tuple[int, int]:
     """Return first and last scan of the first stretch that makes a formula false at its first scan."""
     first, last = _Reasons(course.rows.shape[1]).why(course, value=False)[:, 0]
     return int(first), int(last)
+
+
+def blamed(course: Course, first: int, last: int) -> tuple[str, ...]:
+    """Return the signals, each once, of the comparisons that make a formula false from one scan to another.
+
+    What an implication waits for is not to blame; all of it is where no comparison is found.
+    """
+    found = _at_fault(course, slice(first, last + 1), value=False)
+    return tuple(dict.fromkeys(found)) or tuple(dict.fromkeys(signals(course.node)))
+
+
+def _at_fault(course: Course, scans: slice, *, value: bool) -> Iterator[str]:
+    node, parts = course.node, course.parts
+    match node:
+        case Comparison() if _surely(course, value=value)[scans].any():
+            yield from signals(node)
+        case Not():
+            yield from _at_fault(parts[0], scans, value=not value)
+        case Edge():
+            yield from signals(node)
+        case Junction(operator="implies"):
+            if value:
+                yield from _at_fault(parts[0], scans, value=False)
+            yield from _at_fault(parts[1], scans, value=value)
+        case Junction() | Window() | Until():
+            for part in parts:
+                yield from _at_fault(part, scans, value=value)
 
 
 class _Reasons:

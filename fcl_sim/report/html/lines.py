@@ -18,6 +18,7 @@ from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.sketch import Amount, Delayed, Group, Motion, Paint, Piece, Sketch, Tint
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes
+from fcl_sim.report.violations import violations
 from fcl_sim.report.words import one_line
 from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.cover import rule_text
@@ -97,9 +98,10 @@ def _run(run: Run, sketch: Sketch | None, bases: "_Bases", pack: Pack) -> Json:
         "verdict": str(run.verdict),
         "fault": None if fault is None else {"time": fault.tick / 1e9, "text": one_line(fault.reason)},
         "violations": [
-            {"signals": each.requirement.signals, "from": each.violation[0], "to": each.violation[1]}
+            {"signals": told, "from": start, "to": end}
             for each in run.verdicts
-            if each.violation is not None
+            for told in [each.blamed or each.requirement.signals]
+            for start, end in violations(run.trace, each, told)
         ],
         "blocks": [_block(run, node, bases, pack) for node in fuzzy_nodes(run)],
         "sketch": None if sketch is None else _sketch(sketch),

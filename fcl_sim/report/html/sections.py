@@ -17,7 +17,7 @@ from fcl_sim.verify.coverage import Coverage
 
 Row = Sequence[Child]
 
-COLOURS = {"PASS": "good", "FAIL": "bad", "FAULT": "bad"}
+COLOURS = {"PASS": "good", "FAIL": "bad", "FAULT": "bad", summary.EXPECTED_MISS: "meant"}
 """Classes of verdicts; the others are doubtful."""
 
 
@@ -167,7 +167,6 @@ def _requirement(row: dict[str, Any]) -> Markup:
             element(
                 "td",
                 result["run"],
-                element("small", " is expected to miss it") if result["expected"] else None,
             ),
             element("td", result["value"], class_="number"),
             element(
