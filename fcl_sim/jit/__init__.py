@@ -5,7 +5,7 @@ other kernels call, entries that Python calls; with `NUMBA_DISABLE_JIT=1` the
 same text runs uncompiled. May import kernel_cache. Tests: tests/jit.
 """
 
-from fcl_sim.jit.addresses import address, bytes_at, doubles_at, integers_at, part_at, singles_at
+from fcl_sim.jit.addresses import address, bytes_at, doubles_at, integers_at, part_at, scratch, singles_at
 from fcl_sim.jit.kernels import Entry, apart, copied, entry, flat, inlined, kernel, rounded
 from fcl_sim.jit.signatures import (
     F4,
@@ -55,6 +55,7 @@ __all__ = [
     "new_links",
     "part_at",
     "rounded",
+    "scratch",
     "shift_four",
     "signature",
     "singles_at",

@@ -9,8 +9,9 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from llvmlite import ir
 from numba import extending
-from numba.core import types
+from numba.core import cgutils, types
 from numba.np import arrayobj
 
 from fcl_sim.jit.signatures import compiled
@@ -24,6 +25,31 @@ def address(array: np.ndarray[Any, Any]) -> int:
     if not array.flags.c_contiguous:
         raise ValueError("only a contiguous array can be known by its address")
     return int(array.__array_interface__["data"][0])
+
+
+def _scratch(_: Any, size: Any) -> Any:
+    """Type and generate `scratch`."""
+    count = getattr(size, "literal_value", None)
+    if count is None:
+        return None
+
+    def generate(context: Any, builder: Any, signature: Any, _arguments: Any) -> Any:
+        own = context.get_data_type(types.float64)
+        place = cgutils.alloca_once(builder, ir.ArrayType(own, count))
+        builder.store(ir.Constant(ir.ArrayType(own, count), None), place)
+        width = context.get_constant(types.intp, context.get_abi_sizeof(own))
+        made = context.make_array(signature.return_type)(context, builder)
+        arrayobj.populate_array(
+            made,
+            data=builder.bitcast(place, own.as_pointer()),
+            shape=[context.get_constant(types.intp, count)],
+            strides=[width],
+            itemsize=width,
+            meminfo=None,
+        )
+        return made._getvalue()  # noqa: SLF001
+
+    return types.Array(types.float64, 1, "C")(size), generate
 
 
 def _typed_buffer(kind: Any, place: Any, size: Any) -> Any:
@@ -76,6 +102,11 @@ def _part_at_twin(place: int, size: int) -> Any:
 
 part_at: Callable[[int, int], Any] = extending.intrinsic(_part_at) if compiled() else _part_at_twin
 """In a kernel: so many float64 numbers at an address."""
+scratch: Callable[[int], Any] = extending.intrinsic(_scratch) if compiled() else np.zeros
+"""In a kernel: so many float64 numbers of its own, 0 at first, until it returns; their number is a constant.
+
+The compiler keeps them in registers where they are few and it knows which is meant.
+"""
 integers_at = _buffer_of(types.int64, ctypes.c_int64)
 """In a kernel: the int64 numbers at an address."""
 doubles_at = _buffer_of(types.float64, ctypes.c_double)

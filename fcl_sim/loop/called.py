@@ -21,6 +21,7 @@ from fcl_sim.jit import (
     inlined,
     integers_at,
     part_at,
+    scratch,
     shift_four,
     signature,
     stretch,
@@ -85,12 +86,28 @@ def shift(
         trial[u(i + 3)] = d
 
 
+@inlined
+def combine_rows(rows: Floats, floats: Floats, weights: int, states: int, count: int) -> None:
+    """Set the base to the sum of the first `count` derivatives, each times its weight."""
+    for i in range(0, states, 4):
+        start = u(row_of(0, states) + i)
+        combine_four(rows, u(BASE_AT + i), floats, u(weights), rows, start, u(states), u(count))
+
+
+@inlined
+def errors_at(nodes: int, stages: int) -> int:
+    """Return where the weights of the error estimate begin."""
+    return nodes + (stages + 1) + stages * (stages + 1) // 2
+
+
 def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
     """Write the derivatives `first` to `last` of a step h from x, and the next point behind each, to `trial`.
 
     Derivative 0 is that at x; where a step begins with another, its row holds
     that. The point behind the last row of the scheme is the solution. With
-    `last` 0 no point is made: it is the derivative at x, and no more.
+    `last` 0 no point is made: it is the derivative at x, and no more. Where the
+    last is that at the solution, the base is left with their sums for the error
+    estimate.
     """
     places = integers_at(at)
     ints, floats = integers_at(places[u(AT_INTS)]), doubles_at(places[u(AT_FLOATS)])
@@ -106,10 +123,9 @@ def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
         row += stage
         if 0 < stage < stages:
             # All of the next point but the derivative to come: work that need not wait for it.
+            combine_rows(rows, floats, row, STATES, stage)
             for i in range(0, STATES, 4):
-                base, start = u(BASE_AT + i), u(row_of(0, STATES) + i)
-                combine_four(rows, base, floats, u(row), rows, start, u(STATES), u(stage))
-                shift_four(rows, base, x, u(i), h, rows, base)
+                shift_four(rows, u(BASE_AT + i), x, u(i), h, rows, u(BASE_AT + i))
         found = row_of(stage, STATES)
         point = x if stage == 0 else trial
         own(t + floats[u(nodes + stage)] * h, point, held, p, mode, stretch(rows, u(found), u(STATES)))
@@ -120,6 +136,55 @@ def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
                     shift(trial, x, 0, weight, rows, found, i, TRUE_STATES - i)
                 else:
                     shift(trial, rows, BASE_AT, weight, rows, found, i, TRUE_STATES - i)
+    if last == stages:
+        combine_rows(rows, floats, errors_at(nodes, stages), STATES, stages + 1)
+
+
+def step_of_few(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
+    """`step` of a plant with few states: the point and the derivative stay in registers.
+
+    Each stage waits for the one before, and would wait for memory twice.
+    """
+    places = integers_at(at)
+    ints, floats = integers_at(places[u(AT_INTS)]), doubles_at(places[u(AT_FLOATS)])
+    x, trial = part_at(places[u(AT_X)], STATES), part_at(places[u(AT_X + 1)], STATES)
+    held = part_at(places[u(AT_HELD)], ints[u(PLANT_INPUTS)])
+    p, rows = part_at(places[u(AT_P)], places[u(P_SIZE)]), doubles_at(places[u(AT_ROWS)])
+    stages, nodes = ints[u(STAGES)], ints[u(SCHEME_AT)]
+    row = nodes + stages + 1
+    point, slope, base = scratch(STATES), scratch(STATES), scratch(STATES)
+    for i in range(TRUE_STATES):
+        point[u(i)] = base[u(i)] = x[u(i)]
+    if first > 0:
+        weight = h * floats[u(row)]
+        for i in range(TRUE_STATES):
+            slope[u(i)] = rows[u(row_of(0, STATES) + i)]
+            point[u(i)] = x[u(i)] + weight * slope[u(i)]
+    for stage in range(first, last + 1):
+        row += stage
+        if 0 < stage < stages:
+            # All of the next point but the derivative to come: work that need not wait for it. The one
+            # before has just been written singly: it comes from the registers.
+            combine_rows(rows, floats, row, STATES, stage - 1)
+            for i in range(TRUE_STATES):
+                total = rows[u(BASE_AT + i)] + floats[u(row + stage - 1)] * slope[u(i)]
+                base[u(i)] = x[u(i)] + h * total
+        own(t + floats[u(nodes + stage)] * h, point, held, p, mode, slope)
+        found = row_of(stage, STATES)
+        for i in range(TRUE_STATES):
+            rows[u(found + i)] = slope[u(i)]
+        if stage < stages and last > 0:
+            weight = h * floats[u(row + stage)]
+            for i in range(TRUE_STATES):
+                point[u(i)] = base[u(i)] + weight * slope[u(i)]
+    if last > 0:
+        for i in range(TRUE_STATES):
+            trial[u(i)] = point[u(i)]
+    if last == stages:
+        weights = errors_at(nodes, stages)
+        combine_rows(rows, floats, weights, STATES, stages)
+        for i in range(TRUE_STATES):
+            rows[u(BASE_AT + i)] = rows[u(BASE_AT + i)] + floats[u(weights + stages)] * slope[u(i)]
 
 
 def outputs(at: int, t: float, mode: int) -> None:
@@ -140,7 +205,15 @@ def look(at: int, which: int, t: float, mode: int) -> None:
     own(t, x, held, p, mode, g)
 
 
-_CALLED = {"dynamics": (step, STEP), "outputs": (outputs, OUTPUTS), "events": (look, LOOK)}
+FEW = 16
+"""States that are so few that they may stay in registers."""
+
+_CALLED = {
+    "dynamics": (step, STEP),
+    "dynamics of few": (step_of_few, STEP),
+    "outputs": (outputs, OUTPUTS),
+    "events": (look, LOOK),
+}
 
 
 @lru_cache(maxsize=256)
@@ -151,7 +224,7 @@ def called(plant: PlantFunctions, part: str, true: int, states: int) -> Entry:
     globals of its own: what numba finds there is part of the code.
     """
     entry: Entry = getattr(plant, part)
-    function, parts = _CALLED[part]
+    function, parts = _CALLED["dynamics of few" if part == "dynamics" and states <= FEW else part]
     known = {**function.__globals__, "own": copied(entry.function), "TRUE_STATES": true, "STATES": states}
     made = FunctionType(function.__code__, known, function.__name__)
     made.__qualname__ = f"{function.__name__}_{true}_{states}_{plant.path.stem}_{entry.salt[:16]}"
@@ -160,7 +233,7 @@ def called(plant: PlantFunctions, part: str, true: int, states: int) -> Entry:
 
 def ready(plant: PlantFunctions, true: int, states: int) -> tuple[Called, ...]:
     """Return the three compiled; InputFault for plant code that cannot be."""
-    return tuple(_compiled(plant, part, true, states) for part in _CALLED)
+    return tuple(_compiled(plant, part, true, states) for part in ("dynamics", "outputs", "events"))
 
 
 def _compiled(plant: PlantFunctions, part: str, true: int, states: int) -> Called:

@@ -2,7 +2,7 @@
 
 from math import fabs, inf, isnan
 
-from fcl_sim.jit import combine_four, copy_four, flat, inlined, u
+from fcl_sim.jit import copy_four, flat, inlined, u
 from fcl_sim.loop.layout import ADAPTIVE, RTOL, SCALES_AT, SCHEME_AT, STAGES, STATES, STEP_AT, TRUE_STATES
 from fcl_sim.loop.work import BASE_AT, MODE, Plant, Work, row_of
 
@@ -72,16 +72,12 @@ def error_of_state(work: Work, h: float, i: int) -> float:
 
 @inlined
 def error_of(work: Work, h: float) -> float:
-    """Return the largest error estimate of a step in units of the tolerance, infinite where one is NaN."""
+    """Return the largest error estimate of a step in units of the tolerance, infinite where one is NaN.
+
+    The step has left the weighted sums of its derivatives in the base.
+    """
     ints, floats, x, trial, rows = work.ints, work.floats, work.x, work.trial, work.rows
-    stages, states, scales = ints[u(STAGES)], ints[u(STATES)], ints[u(SCALES_AT)]
-    weights = ints[u(SCHEME_AT)] + (stages + 1) + stages * (stages + 1) // 2
-    rtol = floats[u(ints[u(STEP_AT)] + RTOL)]
-    first, apart = row_of(0, states), u(states)
-    i = 0
-    while i < ints[u(STATES)]:  # into the base: it is free, since the next point is ready
-        combine_four(rows, u(BASE_AT + i), floats, u(weights), rows, u(first + i), apart, u(stages + 1))
-        i += 4
+    scales, rtol = ints[u(SCALES_AT)], floats[u(ints[u(STEP_AT)] + RTOL)]
     worst = 0.0
     for state in range(ints[u(TRUE_STATES)]):
         size = floats[u(scales + state)] + max(fabs(x[u(state)]), fabs(trial[u(state)]))
