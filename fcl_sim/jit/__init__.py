@@ -24,7 +24,7 @@ from fcl_sim.jit.signatures import (
     void,
 )
 from fcl_sim.jit.singles import CompileError
-from fcl_sim.jit.vectors import clear_eight, combine_four, copy_four, shift_four, stretch, two_ramps
+from fcl_sim.jit.vectors import clear_eight, combine_four, copy_four, put_four, shift_four, stretch, two_ramps
 
 __all__ = [
     "F4",
@@ -54,6 +54,7 @@ __all__ = [
     "links_type",
     "new_links",
     "part_at",
+    "put_four",
     "rounded",
     "scratch",
     "shift_four",

@@ -127,6 +127,29 @@ copy_four: Callable[[Any, Any, Any, Any], None] = _intrinsic(_copy_four, _copy_f
 """In a kernel: set four numbers of a buffer, from an index on, to four of another."""
 
 
+def _put_four(typing: Any, target: Any, to: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
+    """Type and generate `put_four`."""
+
+    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        four = _Lanes(4, context, builder, signature.args, arguments)
+        vector = llvm.Constant(four.type, llvm.Undefined)
+        for lane, number in enumerate(arguments[2:]):
+            vector = builder.insert_element(vector, number, llvm.Constant(llvm.IntType(32), lane))
+        four.store(vector, 0, arguments[1])
+        return context.get_dummy_value()
+
+    number = target.dtype
+    return types.void(target, types.uint64, number, number, number, number), generate
+
+
+def _put_four_twin(target: Any, to: int, a: float, b: float, c: float, d: float) -> None:
+    target[to : to + 4] = a, b, c, d
+
+
+put_four: Callable[[Any, Any, Any, Any, Any, Any], None] = _intrinsic(_put_four, _put_four_twin)
+"""In a kernel: set four numbers of a buffer at once: who reads them at once need not wait for each."""
+
+
 def _shift_four(
     typing: Any,
     target: Any,

@@ -21,6 +21,7 @@ from fcl_sim.jit import (
     inlined,
     integers_at,
     part_at,
+    put_four,
     scratch,
     shift_four,
     signature,
@@ -84,6 +85,12 @@ def shift(
         trial[u(i + 2)] = c
     if left > 3:
         trial[u(i + 3)] = d
+
+
+@inlined
+def put_states(target: Floats, at: int, numbers: Floats, i: int) -> None:
+    """Set four numbers of a buffer at once to those of another, from i on."""
+    put_four(target, u(at), numbers[u(i)], numbers[u(i + 1)], numbers[u(i + 2)], numbers[u(i + 3)])
 
 
 @inlined
@@ -171,15 +178,15 @@ def step_of_few(at: int, t: float, h: float, first: int, last: int, mode: int) -
                 base[u(i)] = x[u(i)] + h * total
         own(t + floats[u(nodes + stage)] * h, point, held, p, mode, slope)
         found = row_of(stage, STATES)
-        for i in range(TRUE_STATES):
-            rows[u(found + i)] = slope[u(i)]
+        for i in range(0, STATES, 4):
+            put_states(rows, found + i, slope, i)
         if stage < stages and last > 0:
             weight = h * floats[u(row + stage)]
             for i in range(TRUE_STATES):
                 point[u(i)] = base[u(i)] + weight * slope[u(i)]
     if last > 0:
-        for i in range(TRUE_STATES):
-            trial[u(i)] = point[u(i)]
+        for i in range(0, STATES, 4):
+            put_states(trial, i, point, i)
     if last == stages:
         weights = errors_at(nodes, stages)
         combine_rows(rows, floats, weights, STATES, stages)

@@ -173,7 +173,7 @@ def _draw_degrees(axes: Axes, firing: Firing, edges: Values, rows: Values) -> No
     size = (len(edges) - 1, round(PIXELS * float(rows[-1])))
     png = raster.cells(edges, upwards, values, (0.0, 1.0), size, style.FIRING)
     axes.add(Image(axes.x, (float(rows[-1]), 0.0), png, z=1))
-    lines = [np.array([(0.0, place), (1.0, place)]) for place in rows / rows[-1]]
+    lines = [np.array([(0.0, place), (1.0, place)]) for place in 1.0 - rows / rows[-1]]
     axes.add(Line(*joined(lines), style.GRID, 0.4, flat=True, z=2, parts=True))
 
 

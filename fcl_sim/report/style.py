@@ -11,7 +11,7 @@ GRID = "#e6e8eb"
 PAPER = "#ffffff"
 BAND = "#e3edf5"
 BOUND = "#3f5f7f"
-VIOLATION = "#f9d8c4"
+VIOLATION = "#f5c3a6"
 VIOLATION_EDGE = "#c2540a"
 UNDEFINED = "#eceef0"
 

@@ -13,6 +13,8 @@ from fcl_sim.jit import (
     entry,
     f8,
     i8,
+    put_four,
+    scratch,
     shift_four,
     signature,
     stretch,
@@ -22,6 +24,22 @@ from fcl_sim.jit import (
 
 BEHIND = 3
 """A place that is no multiple of the lanes."""
+
+
+@entry(signature(void, F, f8, f8))
+def put(memory, a, b):
+    put_four(memory, u(BEHIND), a, b, b, a)
+
+
+@entry(signature(f8, F))
+def summed_aside(memory):
+    own = scratch(4)
+    total = own[u(0)]
+    for i in range(4):
+        own[u(i)] += memory[u(i)]
+    for i in range(4):
+        total += own[u(3 - i)]
+    return total
 
 
 @entry(signature(void, F))
@@ -122,3 +140,15 @@ def test_what_is_written_into_a_stretch_stands_in_the_buffer(random):
     expected[BEHIND : BEHIND + 5] = 2.5
     filled(memory, BEHIND, 5, 2.5)
     assert memory.tobytes() == expected.tobytes()
+
+
+def test_four_numbers_are_put_at_once_and_nothing_else_is_touched():
+    memory = np.arange(12.0)
+    put(memory, 0.5, -7.0)
+    assert memory.tolist() == [0.0, 1.0, 2.0, 0.5, -7.0, -7.0, 0.5, 7.0, 8.0, 9.0, 10.0, 11.0]
+
+
+def test_numbers_of_a_kernels_own_are_0_at_each_call_and_touch_nobody_elses():
+    memory = np.array([1.0, 2.0, 4.0, 8.0])
+    assert [summed_aside(memory), summed_aside(memory)] == [15.0, 15.0]
+    assert memory.tolist() == [1.0, 2.0, 4.0, 8.0]

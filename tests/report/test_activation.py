@@ -56,6 +56,16 @@ def test_a_line_stands_where_a_rule_dominates_and_hatching_where_none_fires(firi
     assert len(axes.of(Image)) == 1
 
 
+def test_rows_of_unlike_heights_are_parted_where_they_meet(firing_of):
+    (axes, _) = activation.draw(firing_of([LONG, "short", "short"]), np.zeros(3, np.bool_)).axes
+    (parting,) = [each for each in axes.of(Line) if each.parts and not each.free]
+    places = sorted({round(float(each), 9) for each in parting.y if not np.isnan(each)}, reverse=True)
+    first, second, third = -np.diff(places)
+    assert (places[0], places[-1]) == (1.0, 0.0)
+    assert first > 1.5 * second
+    assert second == pytest.approx(third)
+
+
 def test_it_is_told_in_words(firing):
     told = activation.alt(firing)
     assert "Degrees of 6 rules from 0 s to 60 s, in 121 samples." in told
