@@ -118,7 +118,7 @@ def apart(places: Sequence[float], least: float) -> list[float]:
 def draw_violations(axes: Axes, violations: Sequence[Interval]) -> None:
     """Shade each violated interval of a lone run, with a bar along the upper edge."""
     for each in violations:
-        axes.add(span(axes, each, style.VIOLATION, opacity=0.8, z=1.5))
+        axes.add(span(axes, each, style.VIOLATION, opacity=0.7, z=1.5))
         axes.add(span(axes, each, style.VIOLATION_EDGE, (0.955, 1.0), z=4))
 
 

@@ -230,7 +230,7 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
 
 
 def _violations(lane: Lane, run: Shown) -> list[Interval]:
-    return list(dict.fromkeys(all_violations(run.trace, run.verdicts, lane.names)))
+    return all_violations(run.trace, run.verdicts, lane.names)
 
 
 def bands_of(lane: Lane, runs: Sequence[Shown]) -> dict[Band, list[str]]:

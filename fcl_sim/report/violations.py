@@ -1,6 +1,6 @@
 """Where a run violates what is required of it: all of it, as far as a figure can show it."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,10 +31,15 @@ def violations(trace: Trace, verdict: Verdict, names: Sequence[str]) -> list[Int
     return sorted(found)
 
 
-def all_violations(trace: Trace, verdicts: Sequence[Verdict], names: Sequence[str]) -> Iterator[Interval]:
-    """Yield where a run violates any requirement, seen in one signal."""
-    for each in verdicts:
-        yield from violations(trace, each, names)
+def all_violations(trace: Trace, verdicts: Sequence[Verdict], names: Sequence[str]) -> list[Interval]:
+    """Return where a run violates any requirement, seen in one signal: stretches that do not overlap."""
+    merged: list[Interval] = []
+    for start, end in sorted(each for verdict in verdicts for each in violations(trace, verdict, names)):
+        if merged and start <= merged[-1][1]:
+            merged[-1] = (merged[-1][0], max(merged[-1][1], end))
+        else:
+            merged.append((start, end))
+    return merged
 
 
 def _outside(trace: Trace, verdict: Verdict) -> NDArray[np.bool_] | None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from fcl_sim.judge.verdict import Corridor, Status
-from fcl_sim.report.violations import violations
+from fcl_sim.report.violations import all_violations, violations
 from tests.report.synthetic import of_formula, requirement, trace, verdict
 
 NAMES = ("crane.distance",)
@@ -64,6 +64,13 @@ def test_a_formula_is_violated_in_the_signals_that_are_to_blame(names, expected)
     text = "always (abs(crane.distance) < 1 m and crane.sway < 30 deg)"
     found = replace(of_formula(text, Status.FAIL), blamed=NAMES)
     assert violations(trace(), found, names) == expected
+
+
+def test_stretches_of_several_requirements_are_told_as_one_where_they_overlap():
+    first = missed(start=0.0, end=7.0)
+    wider = replace(first, band=None, violation=(2.0, 4.0))
+    values = [0, 2, 2, 0, 0, -2, 0, 2]
+    assert all_violations(run(values), (first, wider, first), NAMES) == [(1, 4), (5, 5), (7, 7)]
 
 
 def test_what_is_met_is_violated_nowhere():
