@@ -83,9 +83,15 @@ class Resolver:
         if len(known) < len(given):
             return None
         if kind is None or kind is Kind.KEEPS:
-            return replace(node, operands=tuple(each for each, _ in known)), _product(node.operator, known)
+            made = replace(node, operands=tuple(each for each, _ in known))
+            return made, self._named(_product(node.operator, known))
         fitting = self._fitting(node, kind, known)
         return None if fitting is None else (replace(node, operands=fitting[0]), fitting[1])
+
+    def _named(self, unit: Unit) -> Unit:
+        """Return a unit by the name that a signal has for it, where that is shorter: `m` for `kg m/s2 N`."""
+        alike = (each for each in self.units.values() if each.same_as(unit))
+        return next((each for each in alike if len(each.powers) < len(unit.powers)), unit)
 
     def _fitting(
         self, node: Arithmetic, kind: Kind, known: Sequence[Sized]

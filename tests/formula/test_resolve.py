@@ -87,6 +87,20 @@ def test_the_unit_of_a_formula_follows(text, unit):
 
 
 @pytest.mark.parametrize(
+    ("text", "symbol"), [("v * t", "m"), ("x / t", "m/s"), ("v / t", "m/s2"), ("v * t * 2 + 5 mm", "m")]
+)
+def test_a_product_has_the_name_that_a_signal_has_for_its_unit(text, symbol):
+    sized, _ = resolved(text)
+    assert sized[1].symbol == symbol
+
+
+def test_what_is_added_to_a_product_is_told_in_a_unit_that_reads_well():
+    resolver = Resolver({name: parse_unit(unit) for name, unit in {"x": "m", "m": "kg", "g": "m/s2"}.items()})
+    sized = resolver.number(parsed("m * g / 5400 N/m + 5 mm - x"))
+    assert written(sized[0]) == "(((m * g) / 5400 N/m) + 0.005 m) - x"
+
+
+@pytest.mark.parametrize(
     ("text", "at", "message"),
     [
         ("x + t", "t", "`x` is in m, and `t` is in s"),
