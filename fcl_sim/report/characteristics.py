@@ -15,6 +15,7 @@ from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.sampling import Domain, Surface, Track
 from fcl_sim.report.surface import curve_plot, surface_plot
+from fcl_sim.report.terms import as_seen, moves
 from fcl_sim.report.words import joined, number, one_line
 from fcl_sim.testbench import Run
 
@@ -30,13 +31,17 @@ PANELS = 6
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Subject:
-    """An output of a block; of a run what it saw, by input, and gave, and where a rule was active, (n,)."""
+    """An output of a block; of a run what it saw, by input, and gave, and where a rule was active, (n,).
+
+    `known` is what the run saw that tells which inputs are drawn, and where the others are held.
+    """
 
     block: Block
     output: str
     unit: str
     inputs: tuple[Domain, ...]
     seen: Mapping[str, Values]
+    known: Mapping[str, Values]
     given: Values
     active: NDArray[np.bool_]
     time: Values
@@ -64,16 +69,19 @@ def characteristic(
     stem: str,
     record: FuzzyRecord | None = None,
     time: Values | None = None,
+    held: FuzzyRecord | None = None,
 ) -> list[Picture]:
     """Return a picture of each output over its inputs, with the run of `record` drawn over it.
 
     Two inputs make a map, one a curve. Of more, the two that move the output most
-    are drawn and the others held at their medians, or in the middle without a run,
-    where a map stands beside the surface in space. `time` (n,) are the seconds of the run.
+    are drawn and the others held at their medians in that run, or in the one `held`,
+    or in the middle; without a run to draw, a map stands beside the surface in space.
+    `time` (n,) are the seconds of the run.
     """
-    inputs = sampling.domains(block.function_block, units)
+    inputs = sampling.domains(as_seen(block.function_block, record or held), units)
     unit_of = {name.casefold(): unit for name, unit in units.items()}
     seen = {} if record is None else _seen(record, inputs)
+    known = seen if held is None else _seen(held, inputs)
     pictures = []
     for column, output in enumerate(block.outputs):
         subject = Subject(
@@ -82,6 +90,7 @@ def characteristic(
             unit=unit_of.get(output.casefold(), ""),
             inputs=inputs,
             seen=seen,
+            known=known,
             given=record.outputs[:, column] if record else np.zeros(0),
             active=record.active[:, column] if record else np.zeros(0, dtype=bool),
             time=np.zeros(0) if time is None else time,
@@ -131,7 +140,7 @@ def _map(subject: Subject) -> Picture:
     ]
     return Picture(
         name=subject.name,
-        caption=_caption(maps[0], fixed, track),
+        caption=_caption(maps[0], fixed, track, known=bool(subject.known)),
         alt=alt.of_surfaces(maps, fixed, track),
         draw=partial(surface_plot, maps, track, in_space=track is None),
     )
@@ -139,9 +148,9 @@ def _map(subject: Subject) -> Picture:
 
 def plane_of(subject: Subject) -> tuple[list[Domain], dict[str, float]]:
     """Return the two inputs that move the output most, each alone, and the values of the others."""
-    middles = {each.name: _middle(each, subject.seen) for each in subject.inputs}
+    middles = {each.name: _middle(each, subject.known) for each in subject.inputs}
     weight = {
-        each.name: (_effect(subject, each, middles), _moved(each, subject.seen)) for each in subject.inputs
+        each.name: (_effect(subject, each, middles), _moved(each, subject.known)) for each in subject.inputs
     }
     chosen = sorted(subject.inputs, key=lambda each: weight[each.name], reverse=True)[:2]
     fixed = {each.name: middles[each.name] for each in subject.inputs if each not in chosen}
@@ -152,7 +161,7 @@ def _effect(subject: Subject, domain: Domain, middles: Mapping[str, float]) -> f
     """Return how far an input moves the output over what was seen of it, with the others in their middles."""
     if len(subject.inputs) < 3:
         return 0.0
-    finite = _finite(subject.seen, domain.name)
+    finite = _finite(subject.known, domain.name)
     ends = (float(finite.min()), float(finite.max())) if len(finite) else (domain.low, domain.high)
     point: dict[str, float | Values] = {**middles, domain.name: np.linspace(*ends, SWEEP)}
     found = subject.block.evaluation(point).outputs[subject.output]
@@ -175,12 +184,12 @@ def _finite(seen: Mapping[str, Values], name: str) -> Values:
     return values[np.isfinite(values)]
 
 
-def _caption(surface: Surface, fixed: Mapping[str, float], track: Track | None) -> str:
+def _caption(surface: Surface, fixed: Mapping[str, float], track: Track | None, *, known: bool) -> str:
     across, up = one_line(surface.across.name), one_line(surface.up.name)
     text = f"{one_line(surface.name)} over {across} and {up}"
     if fixed:
         held = joined([f"{one_line(name)} = {number(at)}" for name, at in fixed.items()])
-        text += f"; {held} held" + (" at the run's median" if track is not None else "")
+        text += f"; {held} held" + (f" at {'the' if track else 'a'} run's median" if known else "")
     if surface.undefined.any():
         text += (
             ". Hatched, and left out in space: no rule is active"
@@ -197,8 +206,12 @@ def memberships(
 ) -> list[Picture]:
     """Return the terms of every variable, with the ranges that the runs `visited`, by label, reached."""
     records = visited or {}
-    every = panels(block.function_block, units, _visits(records))
+    first = next(iter(records.items()), None) if moves(block.function_block) else None
+    shown = as_seen(block.function_block, first[1] if first else None)
+    every = panels(shown, units, _visits(records))
     caption = f"Terms of {one_line(block.function_block.name)}; singletons are stems."
+    if first:
+        caption += f" Points that inputs move stand at the medians of run {one_line(first[0])}."
     if records:
         caption += " A bar below an axis is the range that a run visited."
     pages = [every[start : start + PANELS] for start in range(0, len(every), PANELS)]

@@ -18,6 +18,7 @@ from fcl_sim.report.rule_matrix import rule_tables
 from fcl_sim.report.rule_words import conformance, finding_rows
 from fcl_sim.report.sign_off import fact
 from fcl_sim.report.telling import step_by_step
+from fcl_sim.report.terms import moves
 from fcl_sim.report.words import exactly, joined, one_line, plain
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.coverage import Coverage
@@ -78,7 +79,10 @@ def rule_base_data(
 def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) -> Data:
     block = base.node.block.function_block
     shown = characteristics.memberships(base.node.block, base.node.units, f"{block.name}-terms", base.records)
-    surfaces = characteristics.characteristic(base.node.block, base.node.units, f"{block.name}-surface")
+    held = next(iter(base.records.values()), None) if moves(block) else None
+    surfaces = characteristics.characteristic(
+        base.node.block, base.node.units, f"{block.name}-surface", held=held
+    )
     steps = step_by_step(base.node, base.records, base.time)
     rules = sum(len(each.rules) for each in block.rule_blocks)
     operators = [_operators(each) for each in block.rule_blocks]

@@ -8,6 +8,7 @@ import numpy as np
 from fcl_sim.engine.smooth import degrees_at, sight, turns
 from fcl_sim.engine.switches import spikes
 from fcl_sim.fcl.write_expressions import expression
+from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.model import Curve, Formula, FunctionBlock, Point, Points, Singleton, Singletons, Term
 from fcl_sim.report.words import one_line
 
@@ -24,6 +25,26 @@ REACH = 2.0
 def initials(block: FunctionBlock) -> Initials:
     """Return the initial value of each input and local variable, 0 where none is declared."""
     return {each.name.casefold(): each.initial or 0.0 for each in (*block.inputs, *block.variables)}
+
+
+def moves(block: FunctionBlock) -> bool:
+    """Return whether any term has points that inputs move (5.2.2)."""
+    terms = [
+        *(term for each in block.fuzzifications for term in each.terms),
+        *(term for each in block.defuzzifications for term in each.terms),
+    ]
+    return any(isinstance(x, str) for term in terms for x in _written(term))
+
+
+def as_seen(block: FunctionBlock, record: FuzzyRecord | None) -> FunctionBlock:
+    """Return a block whose inputs begin with the medians of a run: there points that move are drawn."""
+    if record is None:
+        return block
+    finite = [each[np.isfinite(each)] for each in record.inputs.T]
+    names = [name.casefold() for name in record.input_names]
+    medians = {name: float(np.median(each)) for name, each in zip(names, finite, strict=True) if len(each)}
+    inputs = [replace(each, initial=medians.get(each.name.casefold(), each.initial)) for each in block.inputs]
+    return replace(block, inputs=tuple(inputs))
 
 
 def points_of(term: Term) -> tuple[Point, ...]:
@@ -127,6 +148,19 @@ def _drawn(curve: Curve, ends: tuple[float, float] | None) -> Points:
     xs = np.unique(np.concatenate([np.linspace(low, high, DRAWN), near[(low < near) & (near < high)]]))
     pairs = zip(xs.tolist(), degrees_at(curve, xs).tolist(), strict=True)
     return Points(tuple(Point(x, degree) for x, degree in pairs))
+
+
+def _written(term: Term) -> list[float | str]:
+    """Return the places of a term as they are written: numbers, or names of inputs."""
+    match term.shape:
+        case Singleton(value=value):
+            return [value]
+        case Curve(parameters=parameters):
+            return list(parameters)
+        case Points(points=points) | Singletons(points=points):
+            return [each.x for each in points]
+        case _:
+            return []
 
 
 def _at(x: float | str, start: Initials) -> float:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from fcl_sim.block import loads
 from fcl_sim.loop.trace import FuzzyRecord
 from fcl_sim.report.canvas import Line, Shape
-from fcl_sim.report.characteristics import characteristic, over_inputs
+from fcl_sim.report.characteristics import characteristic, memberships, over_inputs
 from fcl_sim.report.exits import told
 from fcl_sim.report.sampling import Track, closer, curve, domains, following, surface
 from fcl_sim.report.style import VIOLATION_EDGE
@@ -256,3 +256,59 @@ def test_each_output_is_drawn_over_the_inputs_that_move_it():
     u, v = characteristic(block, {}, "mixer")
     assert u.caption.startswith("u over a and b; c = 0.5 held")
     assert v.caption.startswith("v over b and c; a = 0.5 held")
+
+
+MOVING = """FUNCTION_BLOCK moving
+VAR_INPUT x: REAL; pressure: REAL; low: REAL; high: REAL; END_VAR
+VAR_OUTPUT y: REAL; END_VAR
+FUZZIFY x
+    TERM small := (low, 1) (high, 0);
+    TERM large := (low, 0) (high, 1);
+END_FUZZIFY
+FUZZIFY pressure
+    TERM few := (0, 1) (10, 0);
+    TERM much := (0, 0) (10, 1);
+END_FUZZIFY
+DEFUZZIFY y TERM no := 0; TERM yes := 10; METHOD: CoGS; DEFAULT := 0; END_DEFUZZIFY
+RULEBLOCK first
+    RULE 1: IF x IS small OR pressure IS few THEN y IS no;
+    RULE 2: IF x IS large AND pressure IS much THEN y IS yes;
+END_RULEBLOCK
+END_FUNCTION_BLOCK"""
+
+
+def seen_of_moving():
+    inputs = np.column_stack(
+        [np.linspace(20.0, 60.0, 9), np.linspace(2.0, 8.0, 9), np.full(9, 30.0), np.full(9, 50.0)]
+    )
+    return FuzzyRecord(
+        input_names=("x", "pressure", "low", "high"),
+        output_names=("y",),
+        rule_labels=("1", "2"),
+        inputs=inputs,
+        outputs=np.full((9, 1), 5.0),
+        degrees=np.full((9, 2), 0.5),
+        active=np.ones((9, 1), np.bool_),
+    )
+
+
+@pytest.mark.parametrize("drawn", [True, False])
+def test_points_that_inputs_move_stand_where_a_run_had_them(drawn):
+    record = seen_of_moving()
+    given = {"record": record, "time": np.arange(9.0)} if drawn else {"held": record}
+    (picture,) = characteristic(loads(MOVING), {}, "moving", **given)
+    assert "over x and pressure" in picture.caption
+    assert f"low = 30 and high = 50 held at {'the' if drawn else 'a'} run's median" in picture.caption
+    axes = picture.draw().axes[0]
+    assert axes.x[0] <= 30.0
+    assert axes.x[1] >= 50.0
+    (terms,) = memberships(loads(MOVING), {}, "moving", {"base": record})
+    assert "stand at the medians of run base" in terms.caption
+    left, right = terms.draw().axes[0].x
+    assert left <= 30.0
+    assert right >= 50.0
+
+
+def test_points_that_do_not_move_are_drawn_without_a_word(tmp_path):
+    (terms,) = memberships(crane(), {}, "crane", {"base": run(tmp_path).trace.fuzzy["controller.rules"]})
+    assert "medians" not in terms.caption

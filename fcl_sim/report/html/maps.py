@@ -13,6 +13,7 @@ from fcl_sim.report.html.pack import Pack
 from fcl_sim.report.raster import NONE, SHADES
 from fcl_sim.report.sampling import Domain, Surface
 from fcl_sim.report.stretches import stretches
+from fcl_sim.report.terms import as_seen
 from fcl_sim.report.words import joined, number, one_line
 
 Json = dict[str, Any]
@@ -22,7 +23,7 @@ def characteristics(
     block: Block, units: Mapping[str, str], records: Sequence[FuzzyRecord], pack: Pack
 ) -> list[Json]:
     """Return each output of a block over what moves it most in its runs `records`, wide enough for all."""
-    inputs = sampling.domains(block.function_block, units)
+    inputs = sampling.domains(as_seen(block.function_block, records[0] if records else None), units)
     seen = {each.name: np.concatenate([_seen(record, each) for record in records]) for each in inputs}
     unit_of = {name.casefold(): unit for name, unit in units.items()}
     made = []
@@ -33,6 +34,7 @@ def characteristics(
             unit=unit_of.get(output.casefold(), ""),
             inputs=inputs,
             seen=seen,
+            known=seen,
             given=np.zeros(0),
             active=np.zeros(0, dtype=bool),
             time=np.zeros(0),
