@@ -14,6 +14,8 @@ FIRST, SECOND = (0.48, 0.13), (-0.34, 0.21)
 """Where the range of the first and that of the second input lead, in parts of the drawing's sides."""
 RISE = 0.5
 """What the range of the output rises, in parts of the drawing's height."""
+CLEARLY = 1.25
+"""A surface is turned where so many times as much of it is to be seen."""
 NEAREST = (0.5, 0.1)
 """Where the corner of the least values stands."""
 
@@ -29,12 +31,19 @@ class Relief:
 
 
 def draw_relief(axes: Axes, relief: Relief, range_: tuple[float, float]) -> None:
-    """Draw a surface; the back corner has the largest values of both inputs. Not finite: no tile."""
+    """Draw a surface; the back corner has the largest values of both inputs, or, turned, the least.
+
+    It is turned where so much more of it is to be seen. Not finite: no tile.
+    """
     low, high = range_
-    across, up = np.meshgrid(_parts(relief.x), _parts(relief.y))
     height = (relief.values - low) / (high - low)
-    places = _seen(across, up, height)
-    _draw_base(axes, relief, range_)
+    places = _seen(*np.meshgrid(_parts(relief.x), _parts(relief.y)), height)
+    behind = height[::-1, ::-1]
+    round_ = _seen(*np.meshgrid(1.0 - _parts(relief.x)[::-1], 1.0 - _parts(relief.y)[::-1]), behind)
+    turned = _in_sight(round_) > CLEARLY * _in_sight(places)
+    if turned:
+        places, height = round_, behind
+    _draw_base(axes, relief, range_, turned=turned)
     columns, rows = len(relief.x) - 1, len(relief.y) - 1
     for order in range(columns + rows - 2, -1, -1):  # from the back corner to the front
         for row in range(rows):
@@ -59,7 +68,16 @@ def _seen(across: Values, up: Values, height: Values) -> Values:
     return np.stack([x, y])
 
 
-def _draw_base(axes: Axes, relief: Relief, range_: tuple[float, float]) -> None:
+def _in_sight(places: Values) -> float:
+    """Return how much of the drawing the upper sides of tiles cover, each for itself, from their corners."""
+    x, y = places
+    one = x[1:, 1:] - x[:-1, :-1], y[1:, 1:] - y[:-1, :-1]
+    other = x[1:, :-1] - x[:-1, 1:], y[1:, :-1] - y[:-1, 1:]
+    areas = (one[0] * other[1] - one[1] * other[0]) / 2.0
+    return float(areas[np.isfinite(areas)].clip(0.0).sum())
+
+
+def _draw_base(axes: Axes, relief: Relief, range_: tuple[float, float], *, turned: bool) -> None:
     """Draw the edges of the cube at the back and the foot, with the ends of each range."""
 
     def at(x: float, y: float, z: float) -> tuple[float, float]:
@@ -74,9 +92,15 @@ def _draw_base(axes: Axes, relief: Relief, range_: tuple[float, float]) -> None:
     first, second, third = relief.names
     small: dict[str, Any] = {"size": style.SMALL, "parts": True}
     x, y = at(0.5, 0, 0)
-    axes.add(Text(x + 0.04, y - 0.02, f"{first} →", across="left", up="top", **small))
+    axes.add(
+        Text(x + 0.04, y - 0.02, f"← {first}" if turned else f"{first} →", across="left", up="top", **small)
+    )
     x, y = at(0, 0.5, 0)
-    axes.add(Text(x - 0.04, y - 0.02, f"← {second}", across="right", up="top", **small))
+    axes.add(
+        Text(
+            x - 0.04, y - 0.02, f"{second} →" if turned else f"← {second}", across="right", up="top", **small
+        )
+    )
     for level, value in ((0.0, range_[0]), (1.0, range_[1])):
         x, y = at(0, 1, level)
         axes.add(Text(x - 0.02, y, number(value), across="right", up="center", **small))

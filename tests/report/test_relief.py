@@ -1,6 +1,7 @@
 """A surface in space: every tile is there, nearer ones over farther ones, in the colours of a map."""
 
 import numpy as np
+import pytest
 
 from fcl_sim.report.canvas import Figure, Shape, Text
 from fcl_sim.report.relief import Relief, draw_relief
@@ -45,3 +46,23 @@ def test_the_ends_of_the_output_and_the_names_are_written_and_can_be_read():
     assert {each.text for each in axes.of(Text)} == {"\N{MINUS SIGN}100", "100", "u", "e →", "← de"}
     assert cut(figure) == []
     assert clashes(figure) == []
+
+
+def covered(axes):
+    """Return how much of the drawing the tiles cover, each for itself."""
+    found = 0.0
+    for tile in axes.of(Shape):
+        x, y = np.array(tile.x), np.array(tile.y)
+        found += abs(np.dot(x, np.roll(y, 1)) - np.dot(y, np.roll(x, 1))) / 2.0
+    return found
+
+
+def test_a_surface_that_falls_away_from_the_viewer_is_turned_so_that_it_is_seen():
+    rising, falling = drawn(PLANE)[1], drawn(-PLANE)[1]
+    assert {each.text for each in falling.of(Text)} >= {"← e", "de →"}
+    assert covered(falling) == pytest.approx(covered(rising))
+    assert sorted(each.face for each in falling.of(Shape)) == sorted(each.face for each in rising.of(Shape))
+
+
+def test_a_level_surface_is_not_turned():
+    assert {each.text for each in drawn(np.zeros((4, 5)))[1].of(Text)} >= {"e →"}
