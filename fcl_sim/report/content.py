@@ -214,9 +214,9 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
     return found
 
 
-ELSEWHERE = "Not drawn, as a rule is active in every scan of them"
+ELSEWHERE = "Further runs are not drawn, in which a rule is active in every scan, too"
 CHARACTERISTIC = (
-    "What a rule base gives for every pair of inputs, and the way of each run over it, "
+    "What a rule base gives wherever its inputs are, and the way of each run over it, "
     "from the circle to the square, the darker the later; round times are marked. "
     "Where the map is hatched or the way orange, no rule is active."
 )

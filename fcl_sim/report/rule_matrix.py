@@ -1,12 +1,13 @@
 """The rules of a block as tables (figure A.8): terms of one input down, of another across."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.matrix import matrices
 from fcl_sim.matrix.matrix import ANY, Cell, Matrix
-from fcl_sim.model import FunctionBlock
-from fcl_sim.report.words import counted, number, one_line
+from fcl_sim.model import FunctionBlock, Rule
+from fcl_sim.report.words import counted, joined, number, one_line
 
 Data = dict[str, Any]
 
@@ -17,9 +18,18 @@ def rule_tables(block: FunctionBlock) -> list[Data]:
         found = matrices(block)
     except InputFault:
         return []
-    beside = counted(len(found.beside), "rule") if found.beside else ""
-    rest = f"{beside} of another form {'stand' if len(found.beside) > 1 else 'stands'} in no cell."
-    return [_table(each) | {"rest": rest if beside else ""} for each in found.matrices]
+    return [_table(each) | {"rest": _rest(each, found.beside)} for each in found.matrices]
+
+
+def _rest(matrix: Matrix, beside: Sequence[Rule]) -> str:
+    """Return what shaded cells mean, and which rules stand in no cell."""
+    shaded = any(not cell for cells in matrix.cells for cell in cells)
+    if not beside:
+        return "Shaded: no rule." if shaded else ""
+    labels = joined([one_line(each.label) for each in beside])
+    told = f"{counted(len(beside), 'rule')} of another form, {labels}, may fire in any cell and"
+    told += f" {'stand' if len(beside) > 1 else 'stands'} in none."
+    return f"Shaded: no rule for this cell alone. {told}" if shaded else told
 
 
 def _table(matrix: Matrix) -> Data:

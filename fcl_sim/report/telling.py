@@ -13,7 +13,7 @@ from fcl_sim.report.words import counted, one_line, with_unit
 
 
 def telling_scan(record: FuzzyRecord) -> int | None:
-    """Return the first sample at which most rules fire; None where none does at any."""
+    """Return the first sample at which the most rules fire; None where none does at any."""
     fires = (record.degrees > 0.0).sum(axis=1) * np.isfinite(record.inputs).all(axis=1)
     return int(fires.argmax()) if fires.size and fires.max() > 0 else None
 
@@ -31,7 +31,7 @@ def step_by_step(node: FuzzyNode, records: Mapping[str, FuzzyRecord], time: Valu
     explanation = node.block.explain(**point)
     fired = counted(int((record.degrees[sample] > 0.0).sum()), "rule fires", "rules fire")
     at = with_unit(float(time[sample]), "s", 9)
-    where = f"Run {one_line(label)} at {at}, the first scan at which most rules fire: {fired}. "
+    where = f"Run {one_line(label)} at {at}, the first scan at which the most rules fire at a time: {fired}. "
     stem = f"{node.block.name}-steps"
     shown = pictures(node.block.function_block, explanation, node.units, stem=stem)
     return [replace(each, caption=where + each.caption) for each in shown]
