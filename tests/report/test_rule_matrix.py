@@ -20,6 +20,9 @@ END_RULEBLOCK
 END_FUNCTION_BLOCK"""
 
 
+BESIDE = "1 rule of another form, 4, may fire in any cell and stands in none."
+
+
 @pytest.mark.parametrize(
     ("more", "said"),
     [
@@ -27,7 +30,7 @@ END_FUNCTION_BLOCK"""
         ("RULE 4: IF a IS high AND b IS high THEN y IS yes;", ""),
         (
             "RULE 4: IF a IS high OR b IS high THEN y IS yes;",
-            "Shaded: no rule for this cell alone. 1 rule of another form, 4, may fire in any cell and stands in none.",
+            f"Shaded: no rule for this cell alone. {BESIDE}",
         ),
     ],
 )
