@@ -121,9 +121,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
         "title": one_line(scenario.title),
         "anchor": anchor,
         "status": str(outcome.verdict),
-        "sentence": f"{counted(len(runs), 'run')}: "
-        + summary.tally([verdict for run in runs for verdict in summary.verdicts_of(run)])
-        + ".",
+        "sentence": summary.sentence_of_runs(runs),
         "story": paragraphs(scenario.description),
         "facts": facts_of(outcome),
         "requirements": requirement_rows(runs),

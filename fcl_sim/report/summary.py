@@ -195,6 +195,12 @@ def verdicts_of(run: Run) -> list[AnyVerdict]:
     return [*run.verdicts, *(run.envelope.verdicts if run.envelope is not None else ())]
 
 
+def sentence_of_runs(runs: Sequence[Run]) -> str:
+    """Return how what was judged of the runs of a scenario came out."""
+    verdicts = [verdict for run in runs for verdict in verdicts_of(run)]
+    return sentence_of(counted(len(runs), "run"), verdicts)
+
+
 def sentence_of(judged: str, verdicts: Sequence[AnyVerdict]) -> str:
     """Return how what was judged came out."""
     if not verdicts:

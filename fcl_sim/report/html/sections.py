@@ -11,7 +11,7 @@ from fcl_sim.report.envelopes import envelope_rows, envelope_text
 from fcl_sim.report.html.markup import Child, Markup, element, joined, prose
 from fcl_sim.report.rule_bases import Base
 from fcl_sim.report.setting import setup_of
-from fcl_sim.report.words import counted, one_line, plain
+from fcl_sim.report.words import one_line, plain
 from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.coverage import Coverage
 
@@ -118,11 +118,10 @@ def scenario(outcome: Outcome, number: int, data: str) -> Markup:
     """Return the section of a scenario; `data` is what the script draws in it."""
     runs = list(outcome.variants.values())
     title = one_line(outcome.scenario.title)
-    judged = [verdict for run in runs for verdict in summary.verdicts_of(run)]
     return element(
         "section",
         element("h2", title, " ", badge(str(outcome.verdict))),
-        element("p", f"{counted(len(runs), 'run')}: {summary.tally(judged)}.", class_="tally"),
+        element("p", summary.sentence_of_runs(runs), class_="tally"),
         [element("p", prose(each)) for each in paragraphs(outcome.scenario.description)],
         _requirements(runs),
         element("div", class_="explorer", data_name=outcome.scenario.name),
