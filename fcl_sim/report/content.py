@@ -57,7 +57,7 @@ def report_data(stored: Stored, register: Register) -> Data:
         "description": f"{status}: {summary.sentence(outcomes)}",
         "keywords": ["fuzzy control", "FCL", "IEC 61131-7"],
         "status": str(status),
-        "sentence": summary.sentence(outcomes),
+        "sentence": " ".join(each for each in sentences(outcomes) if each),
         "footer": f"fcl_sim {__version__}",
         "overview": [_overview(outcome, f"s{index}") for index, outcome in enumerate(outcomes)],
         "signed": sign_off(stored),
@@ -103,6 +103,11 @@ def _overview(outcome: Outcome, anchor: str) -> Data:
             if run.verdict is not Status.PASS
         ],
     }
+
+
+def sentences(outcomes: Sequence[Outcome]) -> tuple[str, str]:
+    """Return how the verdicts came out, and how the runs did beside their baselines."""
+    return summary.sentence(outcomes), baselines.sentence(outcomes)
 
 
 def provenance_of(outcomes: Sequence[Outcome]) -> list[Data]:
