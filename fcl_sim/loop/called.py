@@ -171,7 +171,7 @@ def step_of_few(at: int, t: float, h: float, first: int, last: int, mode: int) -
         row += stage
         if 0 < stage < stages:
             # All of the next point but the derivative to come: work that need not wait for it. The one
-            # before has just been written singly: it comes from the registers.
+            # before is still in the registers, and may not have reached memory.
             combine_rows(rows, floats, row, STATES, stage - 1)
             for i in range(TRUE_STATES):
                 total = rows[u(BASE_AT + i)] + floats[u(row + stage - 1)] * slope[u(i)]

@@ -57,7 +57,7 @@ def report_data(stored: Stored, register: Register) -> Data:
         "description": f"{status}: {summary.sentence(outcomes)}",
         "keywords": ["fuzzy control", "FCL", "IEC 61131-7"],
         "status": str(status),
-        "sentence": " ".join(each for each in sentences(outcomes) if each),
+        "sentence": sentence(outcomes),
         "footer": f"fcl_sim {__version__}",
         "overview": [_overview(outcome, f"s{index}") for index, outcome in enumerate(outcomes)],
         "signed": sign_off(stored),
@@ -105,9 +105,9 @@ def _overview(outcome: Outcome, anchor: str) -> Data:
     }
 
 
-def sentences(outcomes: Sequence[Outcome]) -> tuple[str, str]:
-    """Return how the verdicts came out, and how the runs did beside their baselines."""
-    return summary.sentence(outcomes), baselines.sentence(outcomes)
+def sentence(outcomes: Sequence[Outcome]) -> str:
+    """Return how the verdicts came out, and how the runs did beside their baselines, if they have any."""
+    return f"{summary.sentence(outcomes)} {baselines.sentence(outcomes)}".rstrip()
 
 
 def provenance_of(outcomes: Sequence[Outcome]) -> list[Data]:

@@ -8,7 +8,7 @@ from importlib.resources import files
 
 from fcl_sim import __version__
 from fcl_sim.report import summary
-from fcl_sim.report.content import KIND, provenance_of, sentences, title_of
+from fcl_sim.report.content import KIND, provenance_of, sentence, title_of
 from fcl_sim.report.html import sections
 from fcl_sim.report.html.lines import scenario_data
 from fcl_sim.report.html.markup import Markup, element, joined
@@ -108,7 +108,7 @@ def _front(outcomes: Sequence[Outcome], *, is_live: bool) -> Markup:
         element(
             "div",
             element("strong", status),
-            element("p", " ".join(each for each in sentences(outcomes) if each)),
+            element("p", sentence(outcomes)),
             class_=f"verdict {sections.COLOURS.get(status, 'doubtful')}",
         ),
         element("p", LIVE, class_="tally") if is_live else None,
