@@ -161,7 +161,7 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
         inputs=part[:, : program.outputs_at],
         outputs=part[:, program.outputs_at : program.active_at],
         degrees=part[:, program.degrees_at :],
-        active=part[:, program.active_at : program.degrees_at] != 0.0,
+        flags=part[:, program.active_at : program.degrees_at],
         cold=tuple(each for each in cold if restarted and each < len(record)),
         units=tape.recorded.block_units[node.name],
     )

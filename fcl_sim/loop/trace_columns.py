@@ -106,7 +106,7 @@ def _record(
         inputs=values([prefix + name for name in inputs]),
         outputs=values([prefix + name for name in outputs]),
         degrees=values(degrees),
-        active=values(active) != 0.0,
+        flags=values(active),
         cold=tuple(np.flatnonzero(found.values[:, places[cold]]).tolist()) if cold in places else (),
         units={name: found.units[places[prefix + name]] for name in variables},
     )

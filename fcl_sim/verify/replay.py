@@ -188,7 +188,7 @@ def _run(subject: Subject, columns: Columns, inputs: Values, cold: tuple[int, ..
         inputs=rows[:, : program.outputs_at],
         outputs=rows[:, program.outputs_at : program.active_at],
         degrees=rows[:, program.degrees_at :],
-        active=rows[:, program.active_at : program.degrees_at] != 0.0,
+        flags=rows[:, program.active_at : program.degrees_at],
         cold=cold,
         units={
             **{variable: units[column] for variable, column in columns.inputs.items()},

@@ -33,7 +33,7 @@ def of_rules(outputs, cold=()):
         inputs=np.array([[1.0, 0.1], [2.0, np.nan], [3.0, 1e-300]]),
         outputs=np.arange(3.0 * len(outputs)).reshape(3, -1),
         degrees=np.linspace(0.0, 1.0, 9).reshape(3, 3),
-        active=np.array([[True], [False], [True]]) & np.ones(len(outputs), np.bool_),
+        flags=np.array([[True], [False], [True]]) & np.ones(len(outputs), np.bool_),
         cold=cold,
         units={"distance": "m", "color.brown": "", **dict.fromkeys(outputs, "kW")},
     )

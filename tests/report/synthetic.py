@@ -131,7 +131,7 @@ def trace(kind: str = "settles", *, names: tuple[str, ...] = ()) -> Trace:
         inputs=np.column_stack([distance, angle]),
         outputs=power[:, None],
         degrees=np.ones((len(time), 1)),
-        active=(time < 20.0)[:, None] | (time > 30.0)[:, None],
+        flags=(time < 20.0)[:, None] | (time > 30.0)[:, None],
     )
     end = len(ticks) // 3 if kind == "fault" else len(ticks)
     fault = Fault(int(ticks[end - 1]), names[0], "the integrator cannot reach its tolerance")
@@ -142,7 +142,7 @@ def trace(kind: str = "settles", *, names: tuple[str, ...] = ()) -> Trace:
         values=np.column_stack(list(columns.values()))[:end],
         fuzzy={
             "controller.rules": replace(
-                record, inputs=record.inputs[:end], outputs=record.outputs[:end], active=record.active[:end]
+                record, inputs=record.inputs[:end], outputs=record.outputs[:end], flags=record.flags[:end]
             )
         },
         fault=fault if kind == "fault" else None,

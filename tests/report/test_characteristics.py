@@ -30,7 +30,7 @@ def record(block, **columns) -> FuzzyRecord:
         inputs=np.column_stack([columns[name] for name in block.inputs]),
         outputs=np.column_stack([columns.get(name, np.zeros(count)) for name in block.outputs]),
         degrees=np.zeros((count, 1)),
-        active=np.ones((count, len(block.outputs)), dtype=bool),
+        flags=np.ones((count, len(block.outputs)), dtype=bool),
     )
 
 
@@ -288,7 +288,7 @@ def seen_of_moving():
         inputs=inputs,
         outputs=np.full((9, 1), 5.0),
         degrees=np.full((9, 2), 0.5),
-        active=np.ones((9, 1), np.bool_),
+        flags=np.ones((9, 1), np.bool_),
     )
 
 

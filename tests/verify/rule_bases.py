@@ -61,7 +61,7 @@ def recorded(block, arithmetic, points, cold=()):
         inputs=inputs,
         outputs=outputs,
         degrees=degrees / (10_000 if arithmetic == "INT" else 1),
-        active=active != 0.0,
+        flags=active,
         cold=tuple(cold),
     )
 

@@ -67,7 +67,7 @@ def everything(folder) -> list[Outcome]:
         values=whole.values[:0],
         fuzzy={
             "controller.rules": replace(
-                record, inputs=record.inputs[:0], outputs=record.outputs[:0], active=record.active[:0]
+                record, inputs=record.inputs[:0], outputs=record.outputs[:0], flags=record.flags[:0]
             )
         },
     )
