@@ -24,7 +24,16 @@ from fcl_sim.jit.signatures import (
     void,
 )
 from fcl_sim.jit.singles import CompileError
-from fcl_sim.jit.vectors import clear_eight, combine_four, copy_four, put_four, shift_four, stretch, two_ramps
+from fcl_sim.jit.vectors import (
+    clear_eight,
+    combine_four,
+    copy_four,
+    copy_two,
+    put_four,
+    shift_four,
+    stretch,
+    two_ramps,
+)
 
 __all__ = [
     "F4",
@@ -42,6 +51,7 @@ __all__ = [
     "compiled",
     "copied",
     "copy_four",
+    "copy_two",
     "doubles_at",
     "entry",
     "f8",

@@ -5,7 +5,7 @@ the numbers one by one: lanes are added and multiplied, never contracted.
 Buffers are of one type; indices into them are unsigned.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -48,12 +48,16 @@ class _Lanes:
         """Set the numbers of a buffer from an index on."""
         self._builder.store(vector, self.at(buffer, index), align=4)
 
-    def spread(self, number: Any) -> Any:
-        """Return a vector that has one number in all lanes."""
+    def of(self, numbers: Iterable[Any]) -> Any:
+        """Return a vector of numbers, one for each lane."""
         vector = llvm.Constant(self.type, llvm.Undefined)
-        for lane in range(self._lanes):
+        for lane, number in enumerate(numbers):
             vector = self._builder.insert_element(vector, number, llvm.Constant(llvm.IntType(32), lane))
         return vector
+
+    def spread(self, number: Any) -> Any:
+        """Return a vector that has one number in all lanes."""
+        return self.of([number] * self._lanes)
 
 
 def _clear_eight(typing: Any, memory: Any, at: Any) -> Any:
@@ -108,23 +112,25 @@ From an index on, the buffer holds the two origins, the two values, the two runs
 """
 
 
-def _copy_four(typing: Any, target: Any, to: Any, source: Any, at: Any) -> Any:
-    """Type and generate `copy_four`."""
+def _copy(lanes: int) -> Callable[[Any, Any, Any, Any], None]:
+    """Return what copies so many numbers at once."""
 
-    def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        four = _Lanes(4, context, builder, signature.args, arguments)
-        four.store(four.load(2, arguments[3]), 0, arguments[1])
-        return context.get_dummy_value()
+    def typed(_: Any, target: Any, to: Any, source: Any, at: Any) -> Any:
+        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            own = _Lanes(lanes, context, builder, signature.args, arguments)
+            own.store(own.load(2, arguments[3]), 0, arguments[1])
+            return context.get_dummy_value()
 
-    return types.void(target, types.uint64, source, types.uint64), generate
+        return types.void(target, types.uint64, source, types.uint64), generate
+
+    def twin(target: Any, to: int, source: Any, at: int) -> None:
+        target[to : to + lanes] = source[at : at + lanes]
+
+    return _intrinsic(typed, twin)
 
 
-def _copy_four_twin(target: Any, to: int, source: Any, at: int) -> None:
-    target[to : to + 4] = source[at : at + 4]
-
-
-copy_four: Callable[[Any, Any, Any, Any], None] = _intrinsic(_copy_four, _copy_four_twin)
-"""In a kernel: set four numbers of a buffer, from an index on, to four of another."""
+copy_two, copy_four = _copy(2), _copy(4)
+"""In a kernel: set two or four numbers of a buffer, from an index on, to those of another."""
 
 
 def _put_four(typing: Any, target: Any, to: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
@@ -132,10 +138,7 @@ def _put_four(typing: Any, target: Any, to: Any, a: Any, b: Any, c: Any, d: Any)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         four = _Lanes(4, context, builder, signature.args, arguments)
-        vector = llvm.Constant(four.type, llvm.Undefined)
-        for lane, number in enumerate(arguments[2:]):
-            vector = builder.insert_element(vector, number, llvm.Constant(llvm.IntType(32), lane))
-        four.store(vector, 0, arguments[1])
+        four.store(four.of(arguments[2:]), 0, arguments[1])
         return context.get_dummy_value()
 
     number = target.dtype

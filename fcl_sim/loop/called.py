@@ -43,6 +43,7 @@ from fcl_sim.loop.work import (
     P_SIZE,
     Called,
     Floats,
+    errors_at,
     row_of,
 )
 from fcl_sim.plant.functions import PlantFunctions
@@ -99,12 +100,6 @@ def combine_rows(rows: Floats, floats: Floats, weights: int, states: int, count:
     for i in range(0, states, 4):
         start = u(row_of(0, states) + i)
         combine_four(rows, u(BASE_AT + i), floats, u(weights), rows, start, u(states), u(count))
-
-
-@inlined
-def errors_at(nodes: int, stages: int) -> int:
-    """Return where the weights of the error estimate begin."""
-    return nodes + (stages + 1) + stages * (stages + 1) // 2
 
 
 def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from fcl_sim.jit import F4, FF, F, I, copy_four, entry, flat, i8, inlined, signature, u
+from fcl_sim.jit import F4, FF, F, I, copy_four, copy_two, entry, flat, i8, inlined, signature, u
 from fcl_sim.loop.blocks.fuzzy import Fuzzy, Singles
 from fcl_sim.loop.events import AT_BEGINNING, rearm
 from fcl_sim.loop.exact import advance_exactly, send
@@ -92,15 +92,16 @@ def record_sample(ints: Ints, memory: Floats, row: Floats) -> None:
     at = ints[u(SEGMENTS_AT)]
     column = 0
     for _ in range(ints[u(SEGMENTS)]):
-        word, end = ints[u(at)], ints[u(at)] + ints[u(at + 1)]
-        while word + 4 <= end:
+        word, left = ints[u(at)], ints[u(at + 1)]
+        while left >= 4:
             copy_four(row, u(column), memory, u(word))
-            column += 4
-            word += 4
-        while word < end:
+            column, word, left = column + 4, word + 4, left - 4
+        if left >= 2:
+            copy_two(row, u(column), memory, u(word))
+            column, word, left = column + 2, word + 2, left - 2
+        if left == 1:
             row[u(column)] = memory[u(word)]
             column += 1
-            word += 1
         at += 2
 
 
@@ -116,11 +117,16 @@ def begin_run(plant: Plant, work: Work, t: float) -> None:
 
 @inlined
 def integrate_scan(plant: Plant, work: Work, memory: Floats, start: int, write: int, end: int) -> bool:
-    """Integrate from scan to scan, in nanoseconds, writing in between, if then; return whether it could."""
+    """Integrate from scan to scan, in nanoseconds, writing in between, if then; return whether it could.
+
+    Outputs that are written at the start have been, so that they are recorded.
+    """
     ints = work.ints
     exact = ints[u(UNDER_WAY)] > 0
     done = start
-    for piece in range(2):
+    if write == start and exact:
+        send(work, start)
+    for piece in range(1 if write == start else 0, 2):
         target = min(write, end) if piece == 0 else end
         if target > done:
             if exact:

@@ -4,7 +4,7 @@ from math import fabs, inf, isnan
 
 from fcl_sim.jit import copy_four, flat, inlined, u
 from fcl_sim.loop.layout import ADAPTIVE, RTOL, SCALES_AT, SCHEME_AT, STAGES, STATES, STEP_AT, TRUE_STATES
-from fcl_sim.loop.work import BASE_AT, MODE, Plant, Work, row_of
+from fcl_sim.loop.work import BASE_AT, MODE, Plant, Work, errors_at, row_of
 
 # States come in pieces of 4, written out, and how many there are is looked up
 # at each turn: of a loop whose length is known beforehand the compiler makes one
@@ -61,7 +61,7 @@ def error_of_state(work: Work, h: float, i: int) -> float:
     ints, floats = work.ints, work.floats
     stages = ints[u(STAGES)]
     states = ints[u(STATES)]
-    weights = ints[u(SCHEME_AT)] + (stages + 1) + stages * (stages + 1) // 2
+    weights = errors_at(ints[u(SCHEME_AT)], stages)
     total = 0.0
     for j in range(stages + 1):
         total += floats[u(weights + j)] * work.rows[u(row_of(j, states) + i)]

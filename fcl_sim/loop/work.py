@@ -78,6 +78,12 @@ def row_of(derivative: int, states: int) -> int:
 
 
 @inlined
+def errors_at(scheme: int, stages: int) -> int:
+    """Return where in `floats` the weights of the error estimate begin, of the scheme that stands there."""
+    return scheme + (stages + 1) + stages * (stages + 1) // 2
+
+
+@inlined
 def rows_size(stages: int, states: int) -> int:
     """Return the number of words of `rows`."""
     return row_of(stages + 1, states)
