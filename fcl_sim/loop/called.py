@@ -12,7 +12,6 @@ from typing import Any
 
 from fcl_sim.jit import (
     Entry,
-    combine_four,
     copied,
     doubles_at,
     f8,
@@ -21,7 +20,6 @@ from fcl_sim.jit import (
     inlined,
     integers_at,
     part_at,
-    put_four,
     scratch,
     shift_four,
     signature,
@@ -30,6 +28,7 @@ from fcl_sim.jit import (
     void,
 )
 from fcl_sim.loop.layout import EVENTS, PLANT_INPUTS, PLANT_OUTPUTS, SCHEME_AT, STAGES
+from fcl_sim.loop.stages import Shape, Step, chain, combine_rows, put_states
 from fcl_sim.loop.work import (
     AT_FLOATS,
     AT_G,
@@ -53,8 +52,9 @@ OUTPUTS = (void, i8, f8, i8)
 LOOK = (void, i8, i8, f8, i8)
 STEP_TYPE, OUTPUTS_TYPE, LOOK_TYPE = (function_type(*each) for each in (STEP, OUTPUTS, LOOK))
 
-TRUE_STATES, STATES = 1, 4
-"""Stand for the number of states of the plant, and for that with the padding, a multiple of 4."""
+TRUE_STATES, STATES, STAGE_COUNT = 1, 4, 4
+"""Stand for the number of states of the plant, for that with the padding, a multiple of 4, and for the
+number of stages of the scheme."""
 
 
 def own(*_: Any) -> None:
@@ -86,20 +86,6 @@ def shift(
         trial[u(i + 2)] = c
     if left > 3:
         trial[u(i + 3)] = d
-
-
-@inlined
-def put_states(target: Floats, at: int, numbers: Floats, i: int) -> None:
-    """Set four numbers of a buffer at once to those of another, from i on."""
-    put_four(target, u(at), numbers[u(i)], numbers[u(i + 1)], numbers[u(i + 2)], numbers[u(i + 3)])
-
-
-@inlined
-def combine_rows(rows: Floats, floats: Floats, weights: int, states: int, count: int) -> None:
-    """Set the base to the sum of the first `count` derivatives, each times its weight."""
-    for i in range(0, states, 4):
-        start = u(row_of(0, states) + i)
-        combine_four(rows, u(BASE_AT + i), floats, u(weights), rows, start, u(states), u(count))
 
 
 def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
@@ -143,50 +129,31 @@ def step(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
 
 
 def step_of_few(at: int, t: float, h: float, first: int, last: int, mode: int) -> None:
-    """`step` of a plant with few states: the point and the derivative stay in registers.
-
-    Each stage waits for the one before, and would wait for memory twice.
-    """
+    """`step` of a plant with few states, its stages each in code of its own (`loop.stages`)."""
     places = integers_at(at)
     ints, floats = integers_at(places[u(AT_INTS)]), doubles_at(places[u(AT_FLOATS)])
     x, trial = part_at(places[u(AT_X)], STATES), part_at(places[u(AT_X + 1)], STATES)
     held = part_at(places[u(AT_HELD)], ints[u(PLANT_INPUTS)])
     p, rows = part_at(places[u(AT_P)], places[u(P_SIZE)]), doubles_at(places[u(AT_ROWS)])
-    stages, nodes = ints[u(STAGES)], ints[u(SCHEME_AT)]
-    row = nodes + stages + 1
+    nodes = ints[u(SCHEME_AT)]
+    weights = nodes + STAGE_COUNT + 1
     point, slope, base = scratch(STATES), scratch(STATES), scratch(STATES)
     for i in range(TRUE_STATES):
         point[u(i)] = base[u(i)] = x[u(i)]
     if first > 0:
-        weight = h * floats[u(row)]
+        weight = h * floats[u(weights)]
         for i in range(TRUE_STATES):
             slope[u(i)] = rows[u(row_of(0, STATES) + i)]
             point[u(i)] = x[u(i)] + weight * slope[u(i)]
-    for stage in range(first, last + 1):
-        row += stage
-        if 0 < stage < stages:
-            # All of the next point but the derivative to come: work that need not wait for it. The one
-            # before is still in the registers, and may not have reached memory.
-            combine_rows(rows, floats, row, STATES, stage - 1)
-            for i in range(TRUE_STATES):
-                total = rows[u(BASE_AT + i)] + floats[u(row + stage - 1)] * slope[u(i)]
-                base[u(i)] = x[u(i)] + h * total
-        own(t + floats[u(nodes + stage)] * h, point, held, p, mode, slope)
-        found = row_of(stage, STATES)
-        for i in range(0, STATES, 4):
-            put_states(rows, found + i, slope, i)
-        if stage < stages and last > 0:
-            weight = h * floats[u(row + stage)]
-            for i in range(TRUE_STATES):
-                point[u(i)] = base[u(i)] + weight * slope[u(i)]
+    own(Step(x, held, p, point, slope, base, rows, floats, nodes, weights, t, h, mode), first, last)
     if last > 0:
         for i in range(0, STATES, 4):
             put_states(trial, i, point, i)
-    if last == stages:
-        weights = errors_at(nodes, stages)
-        combine_rows(rows, floats, weights, STATES, stages)
+    if last == STAGE_COUNT:
+        errors = errors_at(nodes, STAGE_COUNT)
+        combine_rows(rows, floats, errors, STATES, STAGE_COUNT)
         for i in range(TRUE_STATES):
-            rows[u(BASE_AT + i)] = rows[u(BASE_AT + i)] + floats[u(weights + stages)] * slope[u(i)]
+            rows[u(BASE_AT + i)] = rows[u(BASE_AT + i)] + floats[u(errors + STAGE_COUNT)] * slope[u(i)]
 
 
 def outputs(at: int, t: float, mode: int) -> None:
@@ -212,35 +179,38 @@ FEW = 16
 
 _CALLED = {
     "dynamics": (step, STEP),
-    "dynamics of few": (step_of_few, STEP),
     "outputs": (outputs, OUTPUTS),
     "events": (look, LOOK),
 }
 
 
 @lru_cache(maxsize=256)
-def called(plant: PlantFunctions, part: str, true: int, states: int) -> Entry:
-    """Return what a run calls for `part` of a plant of so many states, without padding and with it.
+def called(plant: PlantFunctions, part: str, shape: Shape) -> Entry:
+    """Return what a run calls for `part` of a plant.
 
     It is the function above with the plant's own in the place of `own`, in
     globals of its own: what numba finds there is part of the code.
     """
     entry: Entry = getattr(plant, part)
-    function, parts = _CALLED["dynamics of few" if part == "dynamics" and states <= FEW else part]
-    known = {**function.__globals__, "own": copied(entry.function), "TRUE_STATES": true, "STATES": states}
-    made = FunctionType(function.__code__, known, function.__name__)
-    made.__qualname__ = f"{function.__name__}_{true}_{states}_{plant.path.stem}_{entry.salt[:16]}"
+    (function, parts), own = _CALLED[part], copied(entry.function)
+    name = f"{function.__name__}_{shape.true}_{shape.states}"
+    if part == "dynamics" and shape.states <= FEW:
+        function, own = step_of_few, chain(own, shape)
+        name = f"{function.__name__}_{shape.true}_{shape.states}_{shape.stages}_{shape.adaptive}"
+    sizes = {"TRUE_STATES": shape.true, "STATES": shape.states, "STAGE_COUNT": shape.stages}
+    made = FunctionType(function.__code__, {**function.__globals__, "own": own, **sizes}, function.__name__)
+    made.__qualname__ = f"{name}_{plant.path.stem}_{entry.salt[:16]}"
     return Entry(made, signature(*parts), entry.salt)
 
 
-def ready(plant: PlantFunctions, true: int, states: int) -> tuple[Called, ...]:
+def ready(plant: PlantFunctions, shape: Shape) -> tuple[Called, ...]:
     """Return the three compiled; InputFault for plant code that cannot be."""
-    return tuple(_compiled(plant, part, true, states) for part in ("dynamics", "outputs", "events"))
+    return tuple(_compiled(plant, part, shape) for part in ("dynamics", "outputs", "events"))
 
 
-def _compiled(plant: PlantFunctions, part: str, true: int, states: int) -> Called:
+def _compiled(plant: PlantFunctions, part: str, shape: Shape) -> Called:
     try:
-        return called(plant, part, true, states).compile()
+        return called(plant, part, shape).compile()
     except Exception:
         plant.compiled(part)  # what is wrong with it is said of it alone
         raise

@@ -7,6 +7,7 @@ from fcl_sim.jit import Entry, entry, function_type, links_type, new_links, sign
 from fcl_sim.loop.blocks.fuzzy import FUZZY_TYPE, Fuzzy
 from fcl_sim.loop.called import LOOK_TYPE, OUTPUTS_TYPE, STEP_TYPE, ready
 from fcl_sim.loop.execute import FURTHER_TYPE, Further
+from fcl_sim.loop.stages import Shape
 from fcl_sim.loop.work import Called
 from fcl_sim.plant.functions import PARTS, PlantFunction, PlantFunctions
 
@@ -65,13 +66,13 @@ def link(
 
 
 @lru_cache(maxsize=32)
-def linked(plant: PlantFunctions, true: int, states: int, further: Entry, long: Entry, real: Entry) -> Linked:
-    """Return the compiled functions of a plant of so many states, without and with padding, and the others.
+def linked(plant: PlantFunctions, shape: Shape, further: Entry, long: Entry, real: Entry) -> Linked:
+    """Return the compiled functions of a plant in a run of that shape, and the others.
 
     InputFault for plant code that cannot be compiled.
     """
     functions: Linked = link(
-        *ready(plant, true, states),
+        *ready(plant, shape),
         *map(plant.compiled, ("transition", "sample")),
         *(each.compile() for each in (further, long, real)),
     )

@@ -12,6 +12,7 @@ from fcl_sim.loop.outside import execute_outside
 from fcl_sim.loop.reported import events_of, refused
 from fcl_sim.loop.restart import restart_cold, restarted_nodes
 from fcl_sim.loop.simulate import simulate
+from fcl_sim.loop.stages import Shape
 from fcl_sim.loop.state import RunState, initial_state
 from fcl_sim.loop.tape import Tape, lower
 from fcl_sim.loop.trace import Fault, FuzzyRecord, Incident, Trace, Values
@@ -101,10 +102,13 @@ def proceed(
         piece = next_piece(piece, perf_counter() - begun)
 
 
+_SHAPE = layout.TRUE_STATES, layout.STATES, layout.STAGES, layout.ADAPTIVE
+
+
 def _linked(tape: Tape) -> Linked:
     functions = tape.wiring.diagram.plant.model.functions
-    true, states = (int(tape.ints[word]) for word in (layout.TRUE_STATES, layout.STATES))
-    return linked(functions, true, states, tape.further, *tape.fuzzy)
+    true, states, stages, adaptive = (int(tape.ints[word]) for word in _SHAPE)
+    return linked(functions, Shape(true, states, stages, bool(adaptive)), tape.further, *tape.fuzzy)
 
 
 def next_piece(scans: int, seconds: float) -> int:

@@ -10,6 +10,7 @@ from fcl_sim.jit import (
     clear_eight,
     combine_four,
     copy_four,
+    copy_two,
     entry,
     f8,
     i8,
@@ -52,6 +53,11 @@ def copied(target, source):
     copy_four(target, u(BEHIND), source, u(1))
 
 
+@entry(signature(void, F, F))
+def two_copied(target, source):
+    copy_two(target, u(BEHIND), source, u(1))
+
+
 @entry(signature(void, F, F, f8, F))
 def shifted(target, origin, weight, way):
     shift_four(target, u(BEHIND), origin, u(1), weight, way, u(2))
@@ -87,11 +93,12 @@ def test_eight_numbers_are_cleared_and_their_neighbours_are_not(random):
     assert memory.tobytes() == expected.tobytes()
 
 
-def test_four_numbers_are_copied_and_their_neighbours_are_not(random):
+@pytest.mark.parametrize(("copy", "count"), [(copied, 4), (two_copied, 2)])
+def test_numbers_are_copied_and_their_neighbours_are_not(random, copy, count):
     target, source = buffer(random), buffer(random)
     expected = target.copy()
-    expected[BEHIND : BEHIND + 4] = source[1:5]
-    copied(target, source)
+    expected[BEHIND : BEHIND + count] = source[1 : 1 + count]
+    copy(target, source)
     assert target.tobytes() == expected.tobytes()
 
 
