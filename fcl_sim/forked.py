@@ -154,6 +154,11 @@ class Copies:
         self._look(0.0)
         return work
 
+    def free(self) -> bool:
+        """Return whether a copy would take up at once what is begun now."""
+        self._look(0.0)
+        return len(self._waiting) + len(self._under_way) < self._count
+
     def result(self, work: Work[Value]) -> Value:
         """Return what comes of some work, once it has; where its copy fails it is done here."""
         if not self._count:

@@ -166,10 +166,13 @@ def test_no_more_work_than_told_is_under_way_and_the_heaviest_goes_first(tmp_pat
             file.write(name)
 
     copies = Copies(1)
+    assert copies.free()
     held = copies.begin(lambda: time.sleep(0.05))
+    assert not copies.free()
     works = [
         copies.begin(partial(noted, name), weight) for name, weight in (("a", 1.0), ("b", 3.0), ("c", 2.0))
     ]
     for work in (held, *works):
         copies.result(work)
     assert (tmp_path / "order").read_text(encoding="utf-8") == "bca"
+    assert copies.free()

@@ -10,7 +10,7 @@ from pathlib import Path
 from shutil import copyfile
 
 from fcl_sim.diagnostics import InputFault
-from fcl_sim.forked import Copies, do_all
+from fcl_sim.forked import Copies, Work, able, do_all
 from fcl_sim.report import alone, archive, results, typeset
 from fcl_sim.report.archive import Stored
 from fcl_sim.report.content import report_data
@@ -77,18 +77,17 @@ def write_stored(  # noqa: PLR0913  a choice each
     """
     done = lap or _silent
     try:
-        with workplace(folder) as work, closing(Copies(2)) as copies:
-            shelf = Shelf()
+        with workplace(folder) as work, closing(Copies(2)) as copies, closing(Shelf(work)) as shelf:
             told = copies.begin(partial(_write_results, stored, work, source))
             beside = [copies.begin(partial(_write_page, stored, work))] if html else []
             data = report_data(stored, shelf.add)
             (work / DATA).write_text(json.dumps(data), encoding="utf-8")
             copies.result(told)
             beside.append(copies.begin(partial(_write_archive, stored, work, source)))
-            shelf.draw(work, progress or _silent)
+            shelf.draw(progress or _silent)
             done("drawing")
             (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
-            names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
+            names = [*(shelf.export() if png else []), *(_pages(work) if pages else [])]
             for each in beside:
                 copies.result(each)
             done("typesetting")
@@ -109,15 +108,14 @@ def write_alone(file: Path, folder: Path, *, png: bool = False, pages: bool = Fa
     """
     blocks, source, origin = alone.of_file(file)
     try:
-        with workplace(folder) as work:
-            shelf = Shelf()
+        with workplace(folder) as work, closing(Shelf(work)) as shelf:
             data = alone.report_data(blocks, source, origin, shelf.add)
             (work / DATA).write_text(json.dumps(data), encoding="utf-8")
             (work / RESULTS).write_text(alone.findings_text(blocks, source), encoding="utf-8")
-            shelf.draw(work, _silent)
+            shelf.draw(_silent)
             name = f"{slug(file.stem)}.pdf"
             (work / name).write_bytes(typeset.pdf(work, origin.date))
-            names = [*(shelf.export(work) if png else []), *(_pages(work) if pages else [])]
+            names = [*(shelf.export() if png else []), *(_pages(work) if pages else [])]
             return _move(work, folder, [*names, name])[::-1]
     except OSError as error:
         raise refused(error, folder) from error
@@ -142,10 +140,6 @@ def _write_page(stored: Stored, work: Path) -> None:
     (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
 
 
-def _draw(picture: Picture, file: Path) -> None:
-    file.write_bytes(svg(picture.draw()))
-
-
 def _pages(work: Path) -> list[str]:
     """Write every page as PNG; return the files' names."""
     (work / PAGES).mkdir()
@@ -164,11 +158,22 @@ def _remove(folder: Path, stale: Sequence[str], kept: Sequence[str]) -> None:
         each.unlink(missing_ok=True)
 
 
-class Shelf:
-    """The pictures of a report, under names that any file system takes and no two share."""
+BATCH = 8
+"""Pictures that are worth a copy of this process."""
 
-    def __init__(self) -> None:
+
+class Shelf:
+    """The pictures of a report, drawn into a folder under names that any file system takes and no two share.
+
+    While data are still gathered for more, other processors draw those that are there.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
         self._pictures: dict[str, Picture] = {}
+        self._left: list[str] = []
+        self._ahead: list[Work[None]] = []
+        self._copies = Copies(able() - 1)
 
     def add(self, folder: str, picture: Picture) -> str:
         """Take a picture; return the name of its SVG file, to be drawn later."""
@@ -178,6 +183,10 @@ class Shelf:
             copy += 1
             name = f"{stem}-{copy}"
         self._pictures[name] = picture
+        self._left.append(name)
+        if len(self._left) >= BATCH and self._copies.free():
+            self._ahead.append(self._copies.begin(partial(self._draw_some, tuple(self._left))))
+            self._left = []
         return f"{name}.svg"
 
     @property
@@ -185,20 +194,33 @@ class Shelf:
         """Names of the pictures' files as PNG."""
         return [f"{name}.png" for name in self._pictures]
 
-    def draw(self, work: Path, progress: Progress) -> None:
-        """Draw every picture into `work` as SVG."""
-        files = {name: work / f"{name}.svg" for name in self._pictures}
-        for folder in {file.parent for file in files.values()}:
-            folder.mkdir(parents=True, exist_ok=True)
-        tasks = [partial(_draw, picture, files[name]) for name, picture in self._pictures.items()]
-        do_all(tasks, lambda done: progress(done, len(tasks)))
+    def draw(self, progress: Progress) -> None:
+        """Draw every picture that is not drawn yet, as SVG."""
+        count = len(self._pictures)
+        begun = count - len(self._left)
+        do_all([partial(self._draw, name) for name in self._left], lambda done: progress(begun + done, count))
+        for each in self._ahead:
+            self._copies.result(each)
 
-    def export(self, work: Path) -> list[str]:
+    def close(self) -> None:
+        """End what is being drawn."""
+        self._copies.close()
+
+    def _draw_some(self, names: Sequence[str]) -> None:
+        for name in names:
+            self._draw(name)
+
+    def _draw(self, name: str) -> None:
+        file = self._folder / f"{name}.svg"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(svg(self._pictures[name].draw()))
+
+    def export(self) -> list[str]:
         """Write every drawn picture as PNG; return the files' names."""
         svgs = [f"{name}.svg" for name in self._pictures]
-        (work / "gallery.json").write_text(json.dumps(svgs), encoding="utf-8")
-        for name, png in zip(self.pngs, typeset.pngs(work) if svgs else [], strict=True):
-            (work / name).write_bytes(png)
+        (self._folder / "gallery.json").write_text(json.dumps(svgs), encoding="utf-8")
+        for name, png in zip(self.pngs, typeset.pngs(self._folder) if svgs else [], strict=True):
+            (self._folder / name).write_bytes(png)
         return self.pngs
 
 

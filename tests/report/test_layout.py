@@ -2,6 +2,7 @@
 
 import io
 import json
+from contextlib import closing
 
 import numpy as np
 import pytest
@@ -21,12 +22,11 @@ MARGIN, SLACK = 22.0, 1.5
 
 def pages(outcomes, work) -> list[np.ndarray]:
     """Return the pages of a report as pictures (rows, columns) of grey from 0 to 1."""
-    shelf = Shelf()
-    (work / "report.json").write_text(
-        json.dumps(report_data(gathered(outcomes), shelf.add)), encoding="utf-8"
-    )
+    with closing(Shelf(work)) as shelf:
+        data = report_data(gathered(outcomes), shelf.add)
+        shelf.draw(lambda done, total: None)
+    (work / "report.json").write_text(json.dumps(data), encoding="utf-8")
     (work / RESULTS).write_text(results.text(outcomes), encoding="utf-8")
-    shelf.draw(work, lambda done, total: None)
     template = typeset.template()
     drawn = typeset._compiler(work).compile(template, format="png", ppi=PPI)
     return [imread(io.BytesIO(page))[..., :3].mean(axis=2) for page in drawn]

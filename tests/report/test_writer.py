@@ -5,6 +5,8 @@ import os
 import signal
 import subprocess
 import sys
+from contextlib import closing
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -15,6 +17,7 @@ from fcl_sim.report import exclusive, write, writer
 from fcl_sim.report.characteristics import memberships
 from fcl_sim.report.exclusive import PREFIX, workplace
 from fcl_sim.report.provenance import EPOCH, date_of
+from fcl_sim.report.vector import svg
 from tests.house.places import ROOT
 from tests.report.synthetic import crane, outcome, run
 
@@ -210,11 +213,36 @@ def test_names_become_file_names_that_stay_inside(name, stem):
     assert writer.slug(name) == stem
 
 
-def test_pictures_that_share_a_name_get_files_of_their_own():
-    shelf = writer.Shelf()
+def test_pictures_that_share_a_name_get_files_of_their_own(tmp_path):
     (picture,) = memberships(crane(), {}, "Terms")
-    assert [shelf.add("a/b", picture) for _ in range(3)] == [
-        "a/b/Terms.svg",
-        "a/b/Terms-2.svg",
-        "a/b/Terms-3.svg",
-    ]
+    with closing(writer.Shelf(tmp_path)) as shelf:
+        assert [shelf.add("a/b", picture) for _ in range(3)] == [
+            "a/b/Terms.svg",
+            "a/b/Terms-2.svg",
+            "a/b/Terms-3.svg",
+        ]
+
+
+@pytest.mark.parametrize("processors", [1, 2, 3])
+def test_pictures_are_drawn_once_each_whoever_draws_them(processors, tmp_path, monkeypatch):
+    monkeypatch.setattr(writer, "able", lambda: processors)
+    (picture,) = memberships(crane(), {}, "Terms")
+    told = []
+    with closing(writer.Shelf(tmp_path)) as shelf:
+        names = [shelf.add(f"{number}", picture) for number in range(5 * writer.BATCH)]
+        shelf.draw(lambda done, count: told.append((done, count)))
+    assert {(tmp_path / name).read_bytes() for name in names} == {svg(picture.draw())}
+    assert told[-1] == (len(names), len(names))
+    assert told == sorted(told)
+    assert (told[0][0] > 0) == (processors > 1)  # what was begun while there were more to come
+
+
+def test_what_cannot_be_drawn_is_told_of_also_where_a_copy_should_have(tmp_path, monkeypatch):
+    monkeypatch.setattr(writer, "able", lambda: 2)
+    (picture,) = memberships(crane(), {}, "Terms")
+    broken = replace(picture, draw=lambda: 1 / 0)
+    with closing(writer.Shelf(tmp_path)) as shelf:
+        for number in range(writer.BATCH):
+            shelf.add(f"{number}", broken if number == 3 else picture)
+        with pytest.raises(ZeroDivisionError):
+            shelf.draw(lambda done, count: None)
