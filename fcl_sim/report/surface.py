@@ -13,7 +13,7 @@ from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, 
 from fcl_sim.report.relief import Relief, draw_relief
 from fcl_sim.report.sampling import Curve, Surface, Track
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.words import bracketed, one_line
+from fcl_sim.report.words import bracketed
 
 TOP, HEIGHT = 5.0, 58.0
 BAR, BESIDE = 3.0, 3.0
@@ -27,8 +27,6 @@ HALO = 2.6
 
 TILES = 19
 """Corners of tiles of a surface in space, each way."""
-NAME = 19.0
-"""Width in mm of the name of an input beside it."""
 
 CELLS = 700
 """Parts of the width and height of a map by which points of a track are told apart: a tenth of a mm."""
@@ -37,7 +35,7 @@ MOST_TIMES = 14
 """Round times that are marked on a track, at most."""
 APART = 6.0
 """What lies between two of them in mm, at least."""
-TIME = 5.6
+TIME = style.LEAST
 """Of these times in points."""
 
 
@@ -73,7 +71,7 @@ def surface_plot(
         axes.add(Text(0.0, 1.0, surface.title, style.SMALL, style.FAINT, shift=(0.0, 1.2), parts=True))
     if in_space:
         start = len(surfaces) * (left + width + EDGE) + EDGE
-        axes = figure.place(start, TOP, style.WIDTH - bar - start - EDGE, HEIGHT, "space")
+        axes = figure.place(start, TOP, style.WIDTH - bar - start - EDGE, figure.height - TOP, "space")
         draw_relief(axes, _relief(first), (least, most))
     axes = figure.place(style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT, "scale")
     axes.y = (least, most)
@@ -87,9 +85,11 @@ def _relief(surface: Surface) -> Relief:
     x, y = ((edges[:-1] + edges[1:]) / 2.0 for edges in (surface.x, surface.y))
     columns, rows = (np.unique(np.linspace(0, len(each) - 1, TILES).round().astype(int)) for each in (x, y))
     shown = np.where(surface.undefined, np.nan, surface.values)
-    names = [surface.across.name, surface.up.name, surface.name]
-    across, up, out = (lettering.cut(one_line(each), NAME, style.SMALL) for each in names)
-    return Relief(x=x[columns], y=y[rows], values=shown[np.ix_(rows, columns)], names=(across, up, out))
+    across, up = (bracketed(each.name, each.unit) for each in (surface.across, surface.up))
+    names = (across, up, bracketed(surface.name, surface.unit))
+    for ends, edges in ((x, surface.x), (y, surface.y)):  # a cell at the rim reaches there
+        ends[0], ends[-1] = edges[0], edges[-1]
+    return Relief(x=x[columns], y=y[rows], values=shown[np.ix_(rows, columns)], names=names)
 
 
 def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
