@@ -15,6 +15,8 @@ MOST_TIMES = 14
 """Round times that are marked on a track, at most."""
 APART = 6.0
 """What lies between two of them in mm, at least."""
+STROKE = 0.5
+"""What the way takes to each side with the paper around it, in mm."""
 RIM = 1.2
 """What a dot and its time keep from the edge of a map, and a time from the dots of others, in mm."""
 SIDES: tuple[tuple[Across, Up, float, float], ...] = (
@@ -70,17 +72,16 @@ def _is_free(box: Box, axes: Axes, dots: list[Values], boxes: list[Box]) -> bool
     left, low, right, high = box
     inside = min(left, low, axes.width - right, axes.height - high) >= RIM
     beside = all(max(left - x, x - right) >= RIM or max(low - y, y - high) >= RIM for x, y in dots)
-    return (
-        inside
-        and beside
-        and all(
-            max(left - other[2], other[0] - right) > 0 or max(low - other[3], other[1] - high) > 0
-            for other in boxes
-        )
-    )
+    return inside and beside and all(_are_apart(box, other) for other in boxes)
+
+
+def _are_apart(one: Box, other: Box) -> bool:
+    across, down = max(one[0] - other[2], other[0] - one[2]), max(one[1] - other[3], other[1] - one[3])
+    return across >= RIM or down >= 0.0
 
 
 def _covered(box: Box, way: Values) -> int:
     """Return how many points of a way lie below a time."""
     x, y = way
-    return int(((x > box[0]) & (x < box[2]) & (y > box[1]) & (y < box[3])).sum())
+    across = (x > box[0] - STROKE) & (x < box[2] + STROKE)
+    return int((across & (y > box[1] - STROKE) & (y < box[3] + STROKE)).sum())

@@ -44,12 +44,12 @@ def pictures(wiring: Wiring, title: str) -> list[Picture]:
     told = alt(wiring)
     found = []
     for index, sheet in enumerate(made):
-        part = f"sheet {index + 1} of {len(made)}: " if len(made) > 1 else ""
+        part = f", sheet {index + 1} of {len(made)}" if len(made) > 1 else ""
         found.append(
             Picture(
                 name=numbered("wiring", index, len(made)),
-                caption=f"{one_line(title)}: {part}{_caption(made) if index == 0 else CONTINUES}",
-                alt=told if index == 0 else f"{one_line(title)}, {part}told with the first sheet.",
+                caption=f"{one_line(title)}{part}: {_caption(made) if index == 0 else CONTINUES}",
+                alt=told if index == 0 else f"{one_line(title)}{part}: told with the first one.",
                 draw=partial(draw, sheet, colours),
                 size=(max(each.width for each in sheet), sum(each.height for each in sheet)),
             )

@@ -256,3 +256,13 @@ def test_a_constant_stands_with_its_value_where_it_is_read():
     assert not any("calm" in each.title for each in drawing.boxes)
     widest = max(text_width(port.text, style.SMALL) for port in box.entries)
     assert box.width > HINTED * widest + 2 * PAD
+
+
+def test_a_sheet_says_which_it_is_and_the_first_one_tells_what_stands_on_all():
+    first, *others, last = pictures(large(), "A crane")
+    count = 2 + len(others)
+    assert first.caption.startswith(f"A crane, sheet 1 of {count}: blocks in the order of their execution")
+    assert "A signal with ↓ is read in a row below" in first.caption
+    assert last.caption == f"A crane, sheet {count} of {count}: the rows below those of the sheet before."
+    assert (first.name, last.name) == ("wiring-1", f"wiring-{count}")
+    assert first.alt == alt(large())
