@@ -215,7 +215,7 @@ def _draw_texts(axes: Axes, firing: Firing, rows: Values) -> None:
         axes.add(Text(left + indent / axes.width, y, text, SIZE, colour, up="center", parts=True))
 
 
-SIZE = 5.8
+SIZE = style.LEAST
 """Of the rules' texts in points; a row is no higher."""
 
 

@@ -25,6 +25,9 @@ LABEL = 2.7
 ROW = 1.1
 """Height in mm of what marks the violations of a run among others."""
 
+INSTANT = 4.0
+"""Width in mm of a band that holds at an instant, at least."""
+
 SHORTEST, DASH = 0.7, 5.0
 """Length in mm of the shortest stroke that is seen; one of fewer times that is solid."""
 
@@ -63,17 +66,31 @@ def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]]) -> None:
     low, high = axes.y
     labels: dict[float, list[str]] = {}
     for band, ids in bands.items():
+        across = _seen(axes, band)
         bottom = low if band.low is None else max(band.low, low)
         top = high if band.high is None else min(band.high, high)
         if bottom < top:
-            axes.add(rectangle((band.start, band.end), (bottom, top), style.BAND, z=1))
+            axes.add(rectangle(across, (bottom, top), style.BAND, z=1))
         limits = [limit for limit in (band.low, band.high) if limit is not None]
         for limit in limits:
             if low <= limit <= high:
-                axes.add(Line([band.start, band.end], [limit, limit], style.BOUND, 0.7, DASHED))
+                axes.add(Line(across, [limit, limit], style.BOUND, 0.7, DASHED))
         if limits:
             labels.setdefault(sum(limits) / len(limits), []).extend(ids)
     _name_bounds(axes, labels)
+
+
+def _seen(axes: Axes, band: Band) -> Interval:
+    """Return from when to when a band is drawn: one of an instant is made as wide as is seen.
+
+    It ends at the instant, as behind it a signal may well go elsewhere.
+    """
+    begin, end = axes.x
+    least = min(INSTANT / axes.width, 1.0) * (end - begin)
+    if band.end - band.start >= least:
+        return band.start, band.end
+    start = min(max(band.end - least, begin), end - least)
+    return start, start + least
 
 
 def draw_corridors(axes: Axes, corridors: Sequence[Corridor]) -> None:

@@ -21,7 +21,7 @@ from fcl_sim.report.setting import accuracy, milliseconds, setup_of, unlike_base
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
 from fcl_sim.report.stills import stills_of
 from fcl_sim.report.story import story_data
-from fcl_sim.report.wiring import picture as wired
+from fcl_sim.report.wiring import pictures as wired
 from fcl_sim.report.words import (
     bound,
     counted,
@@ -141,7 +141,7 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
     stills = stills_of(outcome.base)
     spread = [(run, run.envelope) for run in runs if run.envelope is not None]
     parts = [
-        ("Loop and plant", "", [wired(wire(outcome.base.diagram), outcome.scenario.title), *stills]),
+        ("Loop and plant", "", [*wired(wire(outcome.base.diagram), outcome.scenario.title), *stills]),
         ("All runs", "", pictures.all_runs(outcome)),
     ]
     for run in runs:

@@ -29,7 +29,7 @@ BAR = 2.9
 LINE = 3.0
 TICKS = 5.0
 GAP = 2.0
-TINY = 5.6
+TINY = style.LEAST
 DEGREES = (Tick(0.0, "0"), Tick(0.5, "0.5"), Tick(1.0, "1"))
 TOP = 1.04
 """Upper end of the axis of degrees."""

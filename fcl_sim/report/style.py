@@ -39,6 +39,11 @@ WARMTH = ("#dceaf5", "#f5d9a8", "#dd7f3c")
 LEADS = "#ffc533"
 """Light on ink: seen on any of these, in grey too."""
 
+TALLEST = 212.0
+"""Height in mm that a heading, a paragraph and a caption leave for a figure on a page."""
+
+LEAST = 6.0
+"""Points of the smallest letters on paper."""
 SMALL = 6.4
 NORMAL = 7.2
 

@@ -13,7 +13,8 @@ from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, 
 from fcl_sim.report.relief import Relief, draw_relief
 from fcl_sim.report.sampling import Curve, Surface, Track
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.words import bracketed, one_line
+from fcl_sim.report.track_times import draw_times
+from fcl_sim.report.words import bracketed
 
 TOP, HEIGHT = 5.0, 58.0
 BAR, BESIDE = 3.0, 3.0
@@ -27,18 +28,9 @@ HALO = 2.6
 
 TILES = 19
 """Corners of tiles of a surface in space, each way."""
-NAME = 19.0
-"""Width in mm of the name of an input beside it."""
 
 CELLS = 700
 """Parts of the width and height of a map by which points of a track are told apart: a tenth of a mm."""
-
-MOST_TIMES = 14
-"""Round times that are marked on a track, at most."""
-APART = 6.0
-"""What lies between two of them in mm, at least."""
-TIME = 5.6
-"""Of these times in points."""
 
 
 def surface_plot(
@@ -73,7 +65,7 @@ def surface_plot(
         axes.add(Text(0.0, 1.0, surface.title, style.SMALL, style.FAINT, shift=(0.0, 1.2), parts=True))
     if in_space:
         start = len(surfaces) * (left + width + EDGE) + EDGE
-        axes = figure.place(start, TOP, style.WIDTH - bar - start - EDGE, HEIGHT, "space")
+        axes = figure.place(start, TOP, style.WIDTH - bar - start - EDGE, figure.height - TOP, "space")
         draw_relief(axes, _relief(first), (least, most))
     axes = figure.place(style.WIDTH - bar + BESIDE, TOP, BAR, HEIGHT, "scale")
     axes.y = (least, most)
@@ -87,9 +79,11 @@ def _relief(surface: Surface) -> Relief:
     x, y = ((edges[:-1] + edges[1:]) / 2.0 for edges in (surface.x, surface.y))
     columns, rows = (np.unique(np.linspace(0, len(each) - 1, TILES).round().astype(int)) for each in (x, y))
     shown = np.where(surface.undefined, np.nan, surface.values)
-    names = [surface.across.name, surface.up.name, surface.name]
-    across, up, out = (lettering.cut(one_line(each), NAME, style.SMALL) for each in names)
-    return Relief(x=x[columns], y=y[rows], values=shown[np.ix_(rows, columns)], names=(across, up, out))
+    across, up = (bracketed(each.name, each.unit) for each in (surface.across, surface.up))
+    names = (across, up, bracketed(surface.name, surface.unit))
+    for ends, edges in ((x, surface.x), (y, surface.y)):  # a cell at the rim reaches there
+        ends[0], ends[-1] = edges[0], edges[-1]
+    return Relief(x=x[columns], y=y[rows], values=shown[np.ix_(rows, columns)], names=names)
 
 
 def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
@@ -199,7 +193,7 @@ def _draw_track(axes: Axes, track: Track) -> None:
     for start, end in stretches(~active):
         lost = slice(max(start - 1, 0), end + 1)
         axes.add(Line(x[lost], y[lost], style.VIOLATION_EDGE, 1.0, halo=HALO, z=5.1, label="track"))
-    _draw_times(axes, track)
+    draw_times(axes, track)
     draw_exits(axes, x, y)
     first, last = (float(x[0]), float(y[0])), (float(x[-1]), float(y[-1]))
     if left <= first[0] <= right and low <= first[1] <= high:
@@ -217,28 +211,6 @@ def _ages(track: Track, kept: NDArray[np.intp]) -> Iterator[tuple[int, int, str]
     for start, end, colour in zip([0, *cuts], [*cuts, len(kept)], style.AGES, strict=True):
         if end > start:
             yield int(start), int(end) + 1, colour  # up to the next one's first point
-
-
-def _draw_times(axes: Axes, track: Track) -> None:
-    """Mark round times on a track, where they do not meet."""
-    if len(track.time) != len(track.x) or len(track.time) < 2:
-        return
-    (left, right), (low, high) = axes.x, axes.y
-    taken = [(track.x[0], track.y[0]), (track.x[-1], track.y[-1])]
-    for each in ticks(float(track.time[0]), float(track.time[-1]), MOST_TIMES)[1:]:
-        sample = int(np.searchsorted(track.time, each.at - 1e-9))
-        x, y = float(track.x[min(sample, len(track.x) - 1)]), float(track.y[min(sample, len(track.x) - 1)])
-        across, up = ((x - left) / (right - left) * axes.width, (y - low) / (high - low) * axes.height)
-        apart = [
-            np.hypot((x - u) / (right - left) * axes.width, (y - v) / (high - low) * axes.height)
-            for u, v in taken
-        ]
-        if min(apart) < APART or not (2.0 < across < axes.width - 8.0 and 3.0 < up < axes.height - 3.0):
-            continue
-        taken.append((x, y))
-        axes.add(Dot(x, y, "circle", style.INK, 2.6, halo=1.2, z=5.5))
-        told = f"{each.label} s"
-        axes.add(Text(x, y, told, TIME, up="bottom", shift=(0.8, 0.5), backed=0.15, z=5.6))
 
 
 def _kept(track: Track, spans: tuple[float, float], cells: int = CELLS) -> NDArray[np.intp]:

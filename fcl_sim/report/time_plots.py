@@ -37,9 +37,6 @@ LIFT = 0.45
 TALL, LOW = 18.0, 11.0
 """Heights in mm of an axis with a requirement and of one without."""
 
-TALLEST = 212.0
-"""Height in mm that a heading, a paragraph and a caption leave for a figure on a page."""
-
 SQUEEZE = 0.72
 """Axes are made lower by this at most to save a page."""
 
@@ -150,7 +147,7 @@ def pages(shown: Sequence[Lane]) -> list[list[Lane]]:
     height = room_below("time [s]")
     for lane in shown:
         needed = SQUEEZE * lane.height + HEADING + GAP
-        if parted[-1] and height + needed > TALLEST:
+        if parted[-1] and height + needed > style.TALLEST:
             parted.append([])
             height = room_below("time [s]")
         parted[-1].append(lane)
@@ -174,7 +171,7 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
     fixed = top + sum(above) + (len(shown) - 1) * GAP + room_below("time [s]")
     whole = sum(lane.height for lane in shown)
-    scale = max(SQUEEZE, min(STRETCH if labels else 1.0, (TALLEST - fixed) / whole))
+    scale = max(SQUEEZE, min(STRETCH if labels else 1.0, (style.TALLEST - fixed) / whole))
     figure = Figure(fixed + scale * whole)
     draw_legend(figure, labels)
     if names:

@@ -9,10 +9,13 @@ import pytest
 from matplotlib.image import imread
 
 from fcl_sim.judge.verdict import Status
-from fcl_sim.report import results, typeset
+from fcl_sim.report import results, style, typeset
+from fcl_sim.report.canvas import Text
 from fcl_sim.report.content import report_data
 from fcl_sim.report.gather import gathered
+from fcl_sim.report.placed import placed
 from fcl_sim.report.writer import RESULTS, Shelf
+from tests.report.legible import clashes, cut
 from tests.report.synthetic import CRANE, EVIL, LONG, outcome, run, trace, verdict
 
 PPI = 36
@@ -64,3 +67,17 @@ def test_nothing_stands_in_the_margins(made, tmp_path):
     for page in pages(made(inputs), work):
         assert page[:, :edge].min() > 0.99
         assert page[:, -edge:].min() > 0.99
+
+
+@pytest.mark.parametrize("made", [plain, long_names, many])
+def test_the_letters_of_figures_are_large_enough_and_neither_cut_nor_upon_one_another(made, tmp_path):
+    found = {}
+    report_data(gathered(made(tmp_path)), lambda _, each: found.setdefault(each.name, each).name)
+    assert len(found) > 8
+    for picture in found.values():
+        figure = picture.draw()
+        shrunk = placed(picture, "", lambda *_: "")["width"] / figure.width
+        smallest = min(each.size for axes in figure.axes for each in axes.of(Text))
+        assert shrunk * smallest >= style.LEAST, picture.name
+        assert cut(figure) == [], picture.name
+        assert clashes(figure) == [], picture.name

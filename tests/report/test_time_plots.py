@@ -14,7 +14,7 @@ from fcl_sim.loop.diagram import Node
 from fcl_sim.report.bands import apart, focus_on
 from fcl_sim.report.canvas import Axes, Line, Shape
 from fcl_sim.report.pictures import over_time
-from fcl_sim.report.style import VIOLATION, stroke
+from fcl_sim.report.style import BAND, VIOLATION, stroke
 from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, of_formula, requirement, run, trace, verdict, verdicts
@@ -121,6 +121,19 @@ def spans(figure, colour: str) -> list[tuple[float, float]]:
 def test_a_violation_is_shaded_from_its_start_to_its_end():
     assert set(spans(figure(shown("swings")), VIOLATION)) == {(35.0, 60.0)}
     assert spans(figure(shown("settles")), VIOLATION) == []
+
+
+@pytest.mark.parametrize("at", [30.0, 0.0, 60.0])
+def test_a_band_of_an_instant_ends_there_and_is_wide_enough_to_be_seen(at):
+    band = Band(signal="crane.distance", low=-1.0, high=1.0, start=at, end=at)
+    judged = replace(verdict(), band=band)
+    drawn = figure(shown(verdicts=(judged,)))
+    found = spans(drawn, BAND)
+    assert found
+    for start, end in found:
+        assert (end - start) / 60.0 * drawn.axes[0].width >= 3.9
+        assert 0.0 <= start <= at <= end <= 60.0
+        assert start == 0.0 or end == pytest.approx(at)
 
 
 def strokes(figure) -> list[tuple[Axes, Line]]:
