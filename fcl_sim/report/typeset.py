@@ -12,7 +12,7 @@ from fcl_sim.report.lettering import fonts
 PPI = 160
 """Dots per inch of a PNG."""
 
-TEMPLATE = ("style.typ", "pieces.typ", "report.typ")
+TEMPLATE = ("style.typ", "pieces.typ", "flow.typ", "report.typ")
 """The files of the layout, one after the other."""
 
 GALLERY = b"""
