@@ -5,6 +5,7 @@ import re
 from collections.abc import Sequence
 
 from fcl_sim.judge import wording
+from fcl_sim.judge.formulae import margin_told
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.loop.trace import Fault
 
@@ -100,8 +101,14 @@ def bound(requirement: Requirement) -> str:
 
 
 def value(verdict: Verdict) -> str:
-    """Return what was measured, to as many digits as tell it from its bound; a dash where nothing was."""
-    return "\N{EM DASH}" if verdict.value is None else figure(verdict.requirement, verdict.value)
+    """Return what was measured, to as many digits as tell it from its bound; a dash where nothing was.
+
+    Of a formula over several units it is the margin of the comparison that decided.
+    """
+    if verdict.value is not None:
+        return figure(verdict.requirement, verdict.value)
+    margin = "" if verdict.requirement.formula is None else margin_told(verdict.reason)
+    return f"margin{NO_BREAK}{together(margin)}" if margin else "\N{EM DASH}"
 
 
 def figure(asked: Requirement, measured: float) -> str:
@@ -114,11 +121,9 @@ def figure(asked: Requirement, measured: float) -> str:
 
 
 def expectation(verdict: Verdict) -> str:
-    """Return how a requirement that is expected to fail came out; nothing for the others."""
-    if not verdict.requirement.expect_fail:
+    """Return how a requirement came out that is expected to fail and did not; nothing for the others."""
+    if not verdict.requirement.expect_fail or verdict.status is Status.PASS:
         return ""
-    if verdict.status is Status.PASS:
-        return "not met, as expected"
     if verdict.measured is Status.PASS:
         return "met, though expected to fail"
     return f"expected to fail; measured {verdict.measured}"
