@@ -14,15 +14,18 @@ from fcl_sim.report.words import (
     NO_BREAK,
     bound,
     counted,
+    exactly,
     expectation,
     joined,
     number,
     one_line,
     plain,
+    readably,
     together,
     value,
     with_unit,
 )
+from fcl_sim.units import parse_quantity
 from tests.report.synthetic import of_formula, outcome, requirement, run, trace, verdict
 
 FINITE = st.floats(-1e300, 1e300)
@@ -118,6 +121,51 @@ def test_a_formula_over_two_units_tells_the_margin_that_decided(text):
     told = value(replace(made, reason=found.reason)).replace(NO_BREAK, " ").replace("−", "-")
     assert f", by a {told}, that of" in found.reason.replace("margin of", "margin")
     assert told.split()[2] in {"m", "deg"}
+
+
+def test_a_number_below_a_million_has_no_exponent():
+    assert [number(each) for each in (14412.0, -99999.0, 999949.0, 1234567.0)] == [
+        "14410",
+        "−100000",
+        "999900",
+        "1.235e6",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("written", "unit", "told"),
+    [
+        (1100000.0, "W", "1.1 MW"),
+        (2454545.0, "J/kg", "2.454545 MJ/kg"),
+        (123456.7, "N s/m", "123.4567 kN s/m"),
+        (99999.0, "W", "99999 W"),
+        (-2e9, "Pa", "−2 GPa"),
+        (1100000.0, "kW", "1100000 kW"),
+        (1100000.0, "", "1100000"),
+        (1100000.0, "s", "1100000 s"),
+        (0.00166666667, "Hz", "1/600 Hz"),
+        (0.00041666667, "Hz", "1/2400 Hz"),
+        (0.00166666666, "Hz", "0.00166666666 Hz"),
+        (0.00208333333, "1/s2", "0.00208333333 1/s2"),
+        (0.4883667, "", "0.4883667"),
+        (0.0625, "s", "0.0625 s"),
+        (0.0, "W", "0 W"),
+    ],
+)
+def test_a_number_that_was_written_is_told_readably_and_no_digit_is_lost(written, unit, told):
+    assert readably(written, unit).replace(NO_BREAK, " ") == told
+
+
+@given(st.floats(-1e15, 1e15), st.sampled_from(["W", "Hz", "N s/m", "s", "", "degC"]))
+def test_what_is_told_readably_is_the_value_that_is_told_exactly(written, unit):
+    def value_of(text):
+        quantity = text.replace("−", "-").replace(NO_BREAK, " ")
+        if quantity.startswith("1/") and quantity.split()[0] != "1/s":
+            parts, _, rest = quantity[2:].partition(" ")
+            quantity = f"{1 / float(parts)!r} {rest}"
+        return parse_quantity(quantity).to(unit)
+
+    assert value_of(readably(written, unit)) == pytest.approx(value_of(exactly(written, unit)), rel=1e-5)
 
 
 def test_what_could_not_be_measured_is_a_dash():
