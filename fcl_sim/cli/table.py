@@ -78,16 +78,13 @@ def print_envelopes(rows: Sequence[EnvelopeRow], console: Console) -> None:
     runs = [(row.scenario, f"{row.variant}, {counted(row.points, 'point')}") for row in rows]
     lines = [
         [
-            Text(f"  {row.id}: ").append_text(_coloured(row.status)),
+            Text(f"  {row.id}: ").append_text(_word(row)),
             Text(f"    {row.passed}, {row.bound}"),
             *([Text(f"    worst {row.worst}")] if row.worst else []),
         ]
         for row in rows
     ]
-    about = [
-        [Text(row.id), Text(row.bound), Text(row.passed), _coloured(row.status), Text(row.worst)]
-        for row in rows
-    ]
+    about = [[Text(row.id), Text(row.bound), Text(row.passed), _word(row), Text(row.worst)] for row in rows]
     _print(OF_ENVELOPES, runs, about, lines, console)
 
 
@@ -147,8 +144,13 @@ def _table(
 
 
 def _verdict(row: Row) -> Text:
-    word = _coloured(row.status)
+    word = _word(row)
     return word.append(f" ({row.note})") if row.note else word
+
+
+def _word(row: Row | EnvelopeRow) -> Text:
+    """Return the verdict; what was meant to be missed, and is, is no success to be seen from afar."""
+    return _coloured(row.status) if row.shown == str(row.status) else Text(row.shown)
 
 
 def _coloured(status: Status) -> Text:

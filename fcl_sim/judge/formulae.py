@@ -1,5 +1,7 @@
 """Trace and formula → finding, with the sentence that tells it."""
 
+import re
+
 from fcl_sim.judge import wording
 from fcl_sim.judge.finding import Finding
 from fcl_sim.judge.temporal.formula import Formula
@@ -8,6 +10,11 @@ from fcl_sim.judge.temporal.verdict import consider as judged
 from fcl_sim.judge.temporal.write import written
 from fcl_sim.judge.verdict import Status
 from fcl_sim.loop.trace import Trace
+
+MARGIN = "by a margin of {}, that of"
+"""How a sentence tells the margin of the comparison that decides."""
+
+TOLD = re.compile(MARGIN.format(r"(\S+(?: [^\s,]+)?)"))
 
 
 def consider(trace: Trace, formula: Formula) -> Finding:
@@ -45,7 +52,16 @@ def _margin(trace: Trace, found: Judgement) -> str:
         return ""
     comparison, scan = found.decided_by
     margin = wording.number(found.robustness, wording.apart(comparison.unit), 0.0)
-    return f", by a margin of {margin}, that of `{written(comparison)}` at {_at(trace, scan)}"
+    return f", {MARGIN.format(margin)} `{written(comparison)}` at {_at(trace, scan)}"
+
+
+def margin_told(reason: str) -> str:
+    """Return the margin that the sentence of a finding tells, with its unit, or nothing.
+
+    A formula over several units has no robustness in one, but the comparison that decides has.
+    """
+    found = TOLD.search(reason)
+    return "" if found is None else found[1]
 
 
 def _first(trace: Trace, found: Judgement) -> str:

@@ -8,11 +8,14 @@ from typing import Any
 
 from fcl_sim.loop.diagram import Diagram, PlantNode
 from fcl_sim.report.constants import Constant, blocks_of, parameters_of, starts_of, told
-from fcl_sim.report.words import exactly, one_line
+from fcl_sim.report.words import exactly, one_line, readably
 from fcl_sim.scenario.model import PlantSetup
 
 SERIES = 6
 """So many constants that are alike but for their number, as the cells of a belt are, share a row."""
+
+FROM_ELSEWHERE = ("degC", "degF")
+"""Units whose zero is not that of others."""
 
 NUMBERED = re.compile(r"(.*?)(\d+)")
 
@@ -98,17 +101,24 @@ def _origin(constant: Constant) -> str:
     source = one_line(constant.source)
     if constant.value == constant.declared:
         return source
-    kept = exactly(constant.declared, constant.unit)
+    kept = readably(constant.declared, constant.unit)
     return f"set by the scenario; by itself {kept}{f', {source}' if source else ''}"
 
 
 def _limits(constant: Constant) -> str:
-    low, high = constant.minimum, constant.maximum
-    if low is not None and high is not None:
-        return f"{exactly(low, '')} to {exactly(high, '')}"
-    if low is not None:
-        return f"at least {exactly(low, '')}"
-    return "" if high is None else f"at most {exactly(high, '')}"
+    """Return what a value may be, in the declared unit, which is not always the one that it is told in."""
+    low, high = (_limit(each, constant.unit) for each in (constant.minimum, constant.maximum))
+    if low and high:
+        return f"{low} to {high}"
+    if low:
+        return f"at least {low}"
+    return f"at most {high}" if high else ""
+
+
+def _limit(value: float | None, unit: str) -> str:
+    if value is None:
+        return ""
+    return "0" if value == 0.0 and unit not in FROM_ELSEWHERE else readably(value, unit)
 
 
 def block_rows(diagram: Diagram) -> list[dict[str, Any]]:

@@ -8,7 +8,7 @@ from fcl_sim.formula.text import Text as Formula
 from fcl_sim.loop.blocks.declaration import BlockParameter
 from fcl_sim.loop.diagram import Diagram, FuzzyNode, Node, PlantNode, Wire
 from fcl_sim.loop.settings import AnyNode, type_of
-from fcl_sim.report.words import MINUS, exactly, one_line
+from fcl_sim.report.words import MINUS, exactly, one_line, readably
 from fcl_sim.scenario.model import Entries, PlantSetup
 from fcl_sim.units import Quantity, UnitError, parse_quantity, parse_unit
 
@@ -42,8 +42,8 @@ class Constant:
     def told(self) -> str:
         """The value for a reader, in the unit that the scenario gives it in."""
         if self.written is None:
-            return exactly(self.value, self.unit)
-        return exactly(self.written.value, self.written.unit.symbol)
+            return readably(self.value, self.unit)
+        return readably(self.written.value, self.written.unit.symbol)
 
     @property
     def is_assumed(self) -> bool:
@@ -184,7 +184,7 @@ def told(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Quantity):
-        return exactly(value.value, value.unit.symbol)
+        return readably(value.value, value.unit.symbol)
     if isinstance(value, int | float):
         return exactly(float(value), "")
     if isinstance(value, tuple | list):

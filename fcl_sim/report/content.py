@@ -147,12 +147,13 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
     for run in runs:
         base = None if run is outcome.base else outcome.base
         parts.append((run_title(outcome, run), run_text(outcome, run), pictures.over_time(run, base)))
-    fires = [each for run in activation.first_users(runs) for each in activation.over_time(run)]
-    parts.append(("Which rules fire when", "", fires))
+    users = activation.first_users(runs)
+    fires = [each for run in users for each in activation.over_time(run)]
+    parts.append(("Which rules fire when", FIRST_USERS if len(users) < len(runs) else "", fires))
     shown = _on_characteristic(runs)
     maps = [each for run in shown for each in characteristics.over_inputs(run)]
     others = [one_line(run.variant) for run in runs if run not in shown]
-    rest = f" {ELSEWHERE}: {joined(others)}." if others else ""
+    rest = f" {CHOSEN} {ELSEWHERE}: {joined(others)}." if others else ""
     parts.append(("The runs on the characteristic", CHARACTERISTIC + rest, maps))
     over = [
         _section(
@@ -217,7 +218,15 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
     return found
 
 
-ELSEWHERE = "Further runs are not drawn, in which a rule is active in every scan, too"
+FIRST_USERS = (
+    "Drawn is of each rule base the first run that uses it. How often each rule fired in all runs stands "
+    "with the rule base, under Coverage by the runs."
+)
+CHOSEN = (
+    "Drawn are the first run of each rule base, that which misses most requirements, "
+    "and each in which anywhere no rule is active."
+)
+ELSEWHERE = "Not drawn, as a rule is active in every scan; the page for a browser draws them"
 CHARACTERISTIC = (
     "What a rule base gives wherever its inputs are, and the way of each run over it, "
     "from the circle to the square, the darker the later; round times are marked. "

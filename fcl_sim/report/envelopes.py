@@ -49,12 +49,20 @@ def envelope_rows(envelope: Envelope) -> list[dict[str, Any]]:
         {
             "id": one_line(each.requirement.id),
             "asked": one_line(f"{_about(each)}: {summary.envelope_bound(each)}"),
+            "reason": _reason(each),
             "passed": summary.passed(each),
             "worst": "" if each.worst is None else one_line(_worst(envelope, each)),
             "status": summary.shown(each),
         }
         for each in envelope.verdicts
     ]
+
+
+def _reason(verdict: EnvelopeVerdict) -> str:
+    """Return the words of a requirement that need not hold everywhere, or is to be missed: they say why."""
+    asked = verdict.requirement
+    lowered = asked.over is not Over.MEAN and verdict.needed < verdict.points
+    return together(one_line(asked.text)) if lowered or asked.expect_fail else ""
 
 
 def _about(verdict: EnvelopeVerdict) -> str:

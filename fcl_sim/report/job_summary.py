@@ -62,7 +62,7 @@ def _cells(row: Row) -> tuple[str, ...]:
         f"{row.id}: {row.text}",
         row.bound,
         row.value,
-        f"{_word(row.status)}{note}",
+        f"{_word(row)}{note}",
     )
 
 
@@ -74,12 +74,12 @@ def _over(row: EnvelopeRow) -> tuple[str, ...]:
         row.bound,
         row.passed,
         row.worst,
-        _word(row.status),
+        _word(row),
     )
 
 
-def _word(status: Status) -> str:
-    return str(status) if status is Status.PASS else f"{status} ✗"
+def _word(row: Row | EnvelopeRow) -> str:
+    return row.shown if row.status is Status.PASS else f"{row.shown} ✗"
 
 
 def _table(headings: Sequence[str], cells: Sequence[Sequence[str]]) -> str:

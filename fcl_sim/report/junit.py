@@ -14,7 +14,8 @@ from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.report.baselines import lines as lines_of
 from fcl_sim.report.findings import name_of, nothing_asked, of_baseline, of_envelope, of_verdict
-from fcl_sim.report.words import expectation, one_line, plain
+from fcl_sim.report.summary import EXPECTED_MISS, expected_miss
+from fcl_sim.report.words import one_line, plain
 from fcl_sim.scenario.model import Scenario
 from fcl_sim.testbench import Outcome, Run
 
@@ -88,13 +89,15 @@ def _of_run(scenario: Scenario, run: Run) -> Element:
         _properties(case, list(facts(verdict)))
         if verdict.status is not Status.PASS:
             _fails(case, of_verdict(verdict, run.variant, scenario), str(verdict.status))
-        elif verdict.requirement.expect_fail:
-            SubElement(case, "system-out").text = plain(f"{expectation(verdict)}: {verdict.reason}")
+        elif expected_miss(verdict):
+            _misses(case, verdict)
     for over in run.envelope.verdicts if run.envelope else ():
         case = _case(suite, over_envelope(over.requirement.id), scenario, run, over.requirement)
         _properties(case, list(facts(over)))
         if over.status is not Status.PASS:
             _fails(case, of_envelope(over, run.variant, scenario), str(over.status))
+        elif expected_miss(over):
+            _misses(case, over)
     if not run.verdicts and run.compared is None and run.envelope is None:
         case = _case(suite, OF_RUN, scenario, run)
         _fails(case, nothing_asked(scenario, run.variant), str(Status.UNTESTED))
@@ -146,6 +149,11 @@ def _fails(
     tag = tag or ("error" if kind == Status.FAULT else "failure")
     told = "\n".join([render(finding), *(f"  {each}" for each in lines)])
     SubElement(case, tag, type=kind, message=one_line(finding.message)).text = plain(told)
+
+
+def _misses(case: Element, verdict: Verdict | EnvelopeVerdict) -> None:
+    """Say of a case that passes that it does so as an expected miss."""
+    SubElement(case, "system-out").text = plain(f"{EXPECTED_MISS}: {verdict.reason}")
 
 
 def _count(root: Element) -> None:

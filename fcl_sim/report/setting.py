@@ -136,22 +136,35 @@ def _blocks(base: Diagram, other: Diagram) -> Iterator[str]:
 
 def _described(node: AnyNode) -> str:
     own = settings_of(node)
-    values = [f"{name} = {told(each)}" for name, each in own.given.items()]
-    return one_line(", ".join([own.type, *values]))
+    return one_line(", ".join([own.type, *_given(own)]))
+
+
+def _given(own: Settings) -> list[str]:
+    return [f"{name} = {told(each)}" for name, each in own.given.items()]
 
 
 def _block(base: AnyNode, other: AnyNode) -> Iterator[str]:
-    """Yield what is unlike in a block of the same name."""
+    """Yield what is unlike in a block of the same name; of another type, what it is set to and reads."""
     before, after = settings_of(base), settings_of(other)
     if before.type != after.type:
-        yield f"{_changed(before.type, after.type)} ({_described(other)})"
-    else:
-        yield from _named(changes(*_values(before, after)))
+        reads = [f"{port} from {source}" for port, source in after.wired.items()]
+        described = one_line(", ".join([*_given(after), *reads]))
+        yield _changed(before.type, after.type) + (f" ({described})" if described else "")
+        return
+    for name, old, new in changes(*_values(before, after)):
+        yield _set(name, old, new)
     if isinstance(base, FuzzyNode) and isinstance(other, FuzzyNode):
         yield from _rules(base, other)
     for port, old, new in changes(before.wired, after.wired):
         if port not in _swapped(before, after):
-            yield f"{one_line(port)} from {_changed(old, new)}"
+            yield _wired(port, old, new)
+
+
+def _set(name: str, old: str, new: str) -> str:
+    """Return what a parameter is set to, and what it was, as far as it is or was set to anything."""
+    if not new:
+        return f"without {one_line(name)}"
+    return f"{one_line(name)} {_changed(old, new)}" if old else f"{one_line(name)} = {one_line(new)}"
 
 
 def _swapped(before: Settings, after: Settings) -> set[str]:
@@ -191,4 +204,11 @@ def _wires(base: Diagram, other: Diagram) -> Iterator[str]:
     ):
         ends = ({name: source_of(each) for name, each in side.items()} for side in (before, after))
         for name, old, new in changes(*ends):
-            yield f"{one_line(owner + name)} from {_changed(old, new)}"
+            yield _wired(owner + name, old, new)
+
+
+def _wired(port: str, old: str, new: str) -> str:
+    """Return from where a port comes, and from where it came, as far as it comes from anywhere."""
+    if not new:
+        return f"{one_line(port)} from nothing"
+    return f"{one_line(port)} from {_changed(old, new) if old else one_line(new)}"

@@ -22,7 +22,8 @@ AnyVerdict = Verdict | EnvelopeVerdict
 class Row:
     """One verdict as a table shows it.
 
-    `note` says how a miss that is expected came out, or why there is no figure.
+    `shown` is its word for a reader, `note` says how a miss that was expected and
+    did not come came out, or why there is no figure.
     """
 
     scenario: str
@@ -32,6 +33,7 @@ class Row:
     bound: str
     value: str
     status: Status
+    shown: str
     note: str
 
 
@@ -53,6 +55,7 @@ def rows_of(scenario: str, variant: str, verdicts: Sequence[Verdict]) -> Iterato
             bound=bound(verdict.requirement),
             value=value(verdict),
             status=verdict.status,
+            shown=shown(verdict),
             note=expectation(verdict) or _why(verdict),
         )
 
@@ -105,6 +108,7 @@ class EnvelopeRow:
     passed: str
     worst: str
     status: Status
+    shown: str
 
 
 def envelope_rows(outcomes: Sequence[Outcome]) -> Iterator[EnvelopeRow]:
@@ -130,6 +134,7 @@ def _over(scenario: str, variant: str, envelope: Envelope) -> Iterator[EnvelopeR
             if verdict.worst is None
             else f"{at_worst(verdict)} at {envelope.grid.told(verdict.worst)}",
             status=verdict.status,
+            shown=shown(verdict),
         )
 
 

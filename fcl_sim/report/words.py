@@ -3,8 +3,10 @@
 import math
 import re
 from collections.abc import Sequence
+from decimal import Decimal
 
 from fcl_sim.judge import wording
+from fcl_sim.judge.formulae import margin_told
 from fcl_sim.judge.verdict import Requirement, Status, Verdict
 from fcl_sim.loop.trace import Fault
 
@@ -21,6 +23,17 @@ QUANTITY = re.compile(r"(?<![\w.-])(-?\d[\d.]*(?:e[+-]?\d+)?)( (?=[^\W\d]|[%°])
 
 WRITTEN, COMPUTED = 12, 9
 """A number of more digits than anybody writes was computed, and is told with so many."""
+
+MILLION = 1e6
+"""Below this a number has no exponent, be it rounded to fewer digits: `14410` reads better than `1.441e4`."""
+
+CUT, LEAST = 6, 1e-5
+"""A decimal of so many digits, and no less than this, may be a fraction cut off."""
+
+BIG = 1e5
+SCALED = re.compile(r"(W|J|N|Pa|Hz|Wh)(?![A-Za-z0-9])")
+SCALED_BY = (("G", 9), ("M", 6), ("k", 3))
+"""Units in which nobody writes numbers as large as these, and what is written instead."""
 
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufffe\uffff]")
 """Characters that no page can show: a TOML key or an FCL comment may hold them."""
@@ -40,7 +53,9 @@ def number(value: float, digits: int = 4) -> str:
     """Return a number for a reader: `digits` significant figures, a true minus sign, no `-0`."""
     if not math.isfinite(value):
         return "not a number" if math.isnan(value) else f"{MINUS if value < 0 else ''}∞"
-    return printed(f"{value:.{digits}g}") if value else "0"
+    rounded = f"{value:.{digits}g}"
+    plainly = "e+" in rounded and abs(value) < MILLION
+    return printed(f"{float(rounded):.0f}" if plainly else rounded) if value else "0"
 
 
 def with_unit(value: float, unit: str, digits: int = 4) -> str:
@@ -54,6 +69,22 @@ def exactly(value: float, unit: str) -> str:
     if sum(each.isdigit() for each in EXPONENT.split(digits)[0].lstrip("-0.")) > WRITTEN:
         digits = wording.exactly(float(f"{value:.{COMPUTED}g}"), "")
     return _joined(printed(digits), unit)
+
+
+def readably(value: float, unit: str) -> str:
+    """Return what `exactly` does, digit for digit, in the unit that takes the fewest zeros: `1.1 MW`.
+
+    A decimal that is a fraction cut off is told as the fraction, `1/600 Hz`.
+    """
+    digits = repr(float(value)).partition("e")[0].lstrip("-0.").replace(".", "").rstrip("0")
+    if CUT <= len(digits) <= WRITTEN and unit not in {"", "1"} and "/" not in unit and LEAST < value < 1.0:
+        whole = round(1.0 / value)
+        if float(f"{1.0 / whole:.{len(digits)}g}") == value:
+            return _joined(f"1/{whole}", unit)
+    if SCALED.match(unit) and BIG <= abs(value) < math.inf:
+        prefix, power = next(each for each in SCALED_BY if abs(value) >= 10 ** each[1])
+        return exactly(float(Decimal(repr(float(value))).scaleb(-power)), f"{prefix}{unit}")
+    return exactly(value, unit)
 
 
 def printed(digits: str) -> str:
@@ -100,8 +131,14 @@ def bound(requirement: Requirement) -> str:
 
 
 def value(verdict: Verdict) -> str:
-    """Return what was measured, to as many digits as tell it from its bound; a dash where nothing was."""
-    return "\N{EM DASH}" if verdict.value is None else figure(verdict.requirement, verdict.value)
+    """Return what was measured, to as many digits as tell it from its bound; a dash where nothing was.
+
+    Of a formula over several units it is the margin of the comparison that decided.
+    """
+    if verdict.value is not None:
+        return figure(verdict.requirement, verdict.value)
+    margin = "" if verdict.requirement.formula is None else margin_told(verdict.reason)
+    return f"margin{NO_BREAK}{together(margin)}" if margin else "\N{EM DASH}"
 
 
 def figure(asked: Requirement, measured: float) -> str:
@@ -114,11 +151,9 @@ def figure(asked: Requirement, measured: float) -> str:
 
 
 def expectation(verdict: Verdict) -> str:
-    """Return how a requirement that is expected to fail came out; nothing for the others."""
-    if not verdict.requirement.expect_fail:
+    """Return how a requirement came out that is expected to fail and did not; nothing for the others."""
+    if not verdict.requirement.expect_fail or verdict.status is Status.PASS:
         return ""
-    if verdict.status is Status.PASS:
-        return "not met, as expected"
     if verdict.measured is Status.PASS:
         return "met, though expected to fail"
     return f"expected to fail; measured {verdict.measured}"

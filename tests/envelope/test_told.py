@@ -1,16 +1,21 @@
 """Whoever reads results hears of an envelope: the terminal, JSON, JUnit, findings, the exit code."""
 
+import io
 import json
 
 import pytest
 from jsonschema import Draft202012Validator
 from junitparser import JUnitXml
+from rich.console import Console
 
 from fcl_sim import testbench
 from fcl_sim.cli.doors import Exit
 from fcl_sim.cli.regressions import exit_code
-from fcl_sim.report import junit, results, summary
+from fcl_sim.cli.table import print_envelopes
+from fcl_sim.judge.verdict import Status
+from fcl_sim.report import job_summary, junit, results, summary
 from fcl_sim.report.content import report_data
+from fcl_sim.report.envelopes import envelope_rows
 from fcl_sim.report.findings import findings
 from fcl_sim.report.gather import gathered
 from fcl_sim.report.schema import json_schema
@@ -86,3 +91,24 @@ def test_the_report_has_a_table_and_a_picture_of_the_points(outcome):
     assert "2 of 4, FAIL. Worst:" in pictures["base-envelope"].alt
     pictures["base-envelope"].draw()
     assert "base-envelope-worst-1" in pictures
+
+
+def test_an_expected_miss_over_an_envelope_is_called_one_wherever_it_is_told(written):
+    missed = NEAR.replace('"40 m"', '"1 m"') + 'expect = "fail"\nat_least = 2\n'
+    made = testbench.run(written(VARY, missed))
+    (row,) = summary.envelope_rows([made])
+    assert (row.status, row.shown) == (Status.PASS, "EXPECTED MISS")
+    printed = io.StringIO()
+    print_envelopes([row], Console(file=printed, width=200))
+    assert " EXPECTED MISS " in printed.getvalue()
+    assert "| EXPECTED MISS |" in job_summary.text([made])
+    assert junit.text([made]).count("<system-out>EXPECTED MISS: ") == 2
+
+
+def test_a_threshold_stands_with_the_words_that_give_its_reason(written):
+    lowered = NEAR.replace("far to go", "far to go, but for long ways") + "at_least = 2\n"
+    (row,) = envelope_rows(testbench.run(written(VARY, lowered)).base.envelope)
+    assert row["asked"].endswith(", at 2 of 4 or more")
+    assert row["reason"] == "It has not far to go, but for long ways"
+    (plain,) = envelope_rows(testbench.run(written(VARY, NEAR)).base.envelope)
+    assert plain["reason"] == ""

@@ -11,7 +11,12 @@ SHOWS = {"Tj", "TJ", "'", '"'}
 
 def words(pdf: Pdf) -> str:
     """Return all text of a PDF, in the order in which it is drawn, without any white space."""
-    return "".join(text for page in pdf.pages for text in _drawn(page))
+    return "".join(page_words(pdf))
+
+
+def page_words(pdf: Pdf) -> list[str]:
+    """Return the text of each page, as `words` has it."""
+    return ["".join(_drawn(page)) for page in pdf.pages]
 
 
 def bare(text: str) -> str:

@@ -82,7 +82,7 @@ def test_an_expected_miss_passes_and_says_so(tmp_path):
     ((*_, case),) = cases(read(outcome(tmp_path, run(tmp_path, verdicts=(judged,)))))
     assert case.is_passed
     assert properties(case)["expect"] == "fail"
-    assert case.system_out.startswith("not met, as expected: ")
+    assert case.system_out.startswith("EXPECTED MISS: ")
 
 
 def test_what_could_not_be_run_is_an_error_at_its_place(tmp_path):

@@ -5,6 +5,7 @@ import json
 from contextlib import closing
 
 import numpy as np
+import pikepdf
 import pytest
 from matplotlib.image import imread
 
@@ -14,8 +15,9 @@ from fcl_sim.report.canvas import Text
 from fcl_sim.report.content import report_data
 from fcl_sim.report.gather import gathered
 from fcl_sim.report.placed import placed
-from fcl_sim.report.writer import RESULTS, Shelf
+from fcl_sim.report.writer import RESULTS, Shelf, write_alone
 from tests.report.legible import clashes, cut
+from tests.report.reading import page_words
 from tests.report.synthetic import CRANE, EVIL, LONG, outcome, run, trace, verdict
 
 PPI = 36
@@ -81,3 +83,20 @@ def test_the_letters_of_figures_are_large_enough_and_neither_cut_nor_upon_one_an
         assert shrunk * smallest >= style.LEAST, picture.name
         assert cut(figure) == [], picture.name
         assert clashes(figure) == [], picture.name
+
+
+def test_paragraphs_of_a_listing_are_not_parted_and_a_short_one_stays_with_the_next(tmp_path):
+    paragraphs = [
+        "\n".join([f"(* {each:02}begin", *["line"] * (each % 9), f"{each:02}end *)"]) for each in range(40)
+    ]
+    file = tmp_path / "long.fcl"
+    file.write_text("\n\n".join([CRANE, *paragraphs]), encoding="utf-8")
+    written = write_alone(file, tmp_path / "reports")
+    with pikepdf.open(written[0]) as pdf:
+        pages = [words for words in page_words(pdf) if "begin" in words]
+    assert len(pages) > 2
+    for words in pages:
+        for each in range(40):
+            assert (f"{each:02}begin" in words) == (f"{each:02}end" in words)
+    for each in (9, 18, 27, 36):
+        assert any(f"{each:02}begin" in words and f"{each + 1:02}begin" in words for words in pages)

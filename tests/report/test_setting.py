@@ -81,7 +81,26 @@ def test_a_change_in_a_block_is_told_with_what_it_was(base):
     held = replace(base, nodes=(dead_time(3.0, between="hold"),))
     assert told(first, held) == ["measured: between linear → hold"]
     lag = replace(dead_time(3.0), type="unit_delay", parameters={})
-    assert told(first, replace(base, nodes=(lag,))) == ["measured: dead_time → unit_delay (unit_delay)"]
+    expected = "measured: dead_time → unit_delay (input from crane.distance)"
+    assert told(first, replace(base, nodes=(lag,))) == [expected]
+
+
+def test_of_a_block_of_another_type_only_what_is_there_is_told(base):
+    first = replace(base, nodes=(dead_time(3.0),))
+    held = Node(name="measured", type="constant", parameters={"value": Quantity(3.0, parse_unit("m"))})
+    assert told(first, replace(base, nodes=(held,))) == ["measured: dead_time → constant (value = 3 m)"]
+
+
+def test_what_is_no_longer_set_or_wired_is_told_without_what_it_was(base):
+    held = Node(
+        name="held", type="limiter", inputs={"input": Wire("crane.distance")}, parameters={"low": 1.0}
+    )
+    both = replace(held, parameters={"low": 1.0, "high": 2.0})
+    first, other, loose = (replace(base, nodes=(each,)) for each in (held, both, replace(held, inputs={})))
+    assert told(other, first) == ["held: without high"]
+    assert told(first, other) == ["held: high = 2"]
+    assert told(first, loose) == ["held: input from nothing"]
+    assert told(loose, first) == ["held: input from crane.distance"]
 
 
 def test_of_a_list_the_places_are_told_that_changed(base):

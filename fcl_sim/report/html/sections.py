@@ -256,7 +256,13 @@ def _envelope(run: Run) -> Markup | None:
     if run.envelope is None:
         return None
     rows = [
-        [row["id"], row["asked"], row["passed"], row["worst"], badge(row["status"])]
+        [
+            row["id"],
+            [row["asked"], element("small", prose(row["reason"])) if row["reason"] else None],
+            row["passed"],
+            row["worst"],
+            badge(row["status"]),
+        ]
         for row in envelope_rows(run.envelope)
     ]
     return _details(
