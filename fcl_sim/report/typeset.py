@@ -12,19 +12,20 @@ from fcl_sim.report.lettering import fonts
 PPI = 160
 """Dots per inch of a PNG."""
 
-TEMPLATE = ("style.typ", "pieces.typ", "report.typ")
+TEMPLATE = ("dots.typ", "style.typ", "pieces.typ", "report.typ")
 """The files of the layout, one after the other."""
 
 GALLERY = b"""
 #set page(width: auto, height: auto, margin: 0pt)
-#for each in json("gallery.json") { page(image(each)) }
+#for each in json("gallery.json") { page(in-dots(image(each), reflow: true)) }
 """
 
 SHEET = b"""
 #set page(width: auto, height: auto, margin: 6mm, fill: white)
 #set text(font: "DejaVu Sans", size: 7.2pt)
 #for each in json("sheet.json") {
-  block(width: each.width * 1mm, image(each.file, alt: each.alt) + each.caption, below: 7mm)
+  let drawn = image(each.file, alt: each.alt, width: each.width * 1mm)
+  block(width: each.width * 1mm, if is-png { in-dots(drawn) } else { drawn } + each.caption, below: 7mm)
 }
 """
 
@@ -43,14 +44,12 @@ def pdf(folder: Path, date: datetime) -> bytes:
 
 def pages(folder: Path, ppi: int = PPI) -> list[bytes]:
     """Return the pages of the report whose data stand in `folder`, as PNGs."""
-    made = _compiler(folder).compile(template(), format="png", ppi=ppi)
-    return made if isinstance(made, list) else [made] if made else []
+    return _pngs(folder, template(), ppi)
 
 
 def template() -> bytes:
     """Return the layout of a report: its look, its pieces, its chapters."""
-    here = files("fcl_sim.report")
-    return b"\n".join(here.joinpath(name).read_bytes() for name in TEMPLATE)
+    return b"\n".join(map(_layout, TEMPLATE))
 
 
 def pngs(folder: Path) -> list[bytes]:
@@ -59,19 +58,27 @@ def pngs(folder: Path) -> list[bytes]:
     They are the drawings of the PDF; drawn from the figures themselves they
     would take ten times as long.
     """
-    made = _compiler(folder).compile(GALLERY, format="png", ppi=PPI)
-    return made if isinstance(made, list) else [made] if made else []
+    return _pngs(folder, _layout("dots.typ") + GALLERY, PPI)
 
 
 def sheet(folder: Path, kind: Literal["png", "svg", "pdf"], date: datetime) -> bytes:
     """Return the SVG files that `sheet.json` in `folder` names, below one another on one page."""
-    compiler = _compiler(folder)
-    if kind == "pdf":
-        made = compiler.compile(SHEET, format=kind, timestamp=date.astimezone(UTC))
-    else:
-        made = compiler.compile(SHEET, format=kind, ppi=PPI)
+    layout = _layout("dots.typ") + SHEET
+    if kind == "png":
+        return _pngs(folder, layout, PPI)[0]
+    made = _compiler(folder).compile(layout, format=kind, timestamp=date.astimezone(UTC))
     assert isinstance(made, bytes)  # noqa: S101  one page is one file
     return made
+
+
+def _layout(name: str) -> bytes:
+    return files("fcl_sim.report").joinpath(name).read_bytes()
+
+
+def _pngs(folder: Path, layout: bytes, ppi: int) -> list[bytes]:
+    """Return each page of a layout as PNG."""
+    made = _compiler(folder).compile(layout, format="png", ppi=ppi, sys_inputs={"ppi": str(ppi)})
+    return made if isinstance(made, list) else [made] if made else []
 
 
 def _compiler(folder: Path) -> typst.Compiler:
