@@ -1,6 +1,5 @@
 """Where some runs are drawn and others are not, it is said which, why, and where the others are told."""
 
-import numpy as np
 import pytest
 
 from fcl_sim.report.content import CHOSEN, FIRST_USERS, report_data
@@ -23,7 +22,7 @@ def sections(tmp_path):
 
 def always_active(found):
     for record in found.trace.fuzzy.values():
-        record.active[:] = np.True_
+        record.flags[:] = True
     return found
 
 
