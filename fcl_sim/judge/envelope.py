@@ -138,7 +138,9 @@ def without_figure(requirement: Requirement, status: Status) -> str:
     metric = METRICS.get(requirement.metric)
     if metric is not None and metric.never and status in {Status.PASS, Status.FAIL}:
         return f"does not {metric.never}"
-    return str(status)
+    if status not in {Status.PASS, Status.FAIL}:
+        return str(status)
+    return "met" if (status is Status.PASS) != requirement.expect_fail else "missed"
 
 
 def shown(requirement: Requirement, value: float) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 from fcl_sim.envelope.envelope import Envelope
 from fcl_sim.envelope.grid import written
 from fcl_sim.judge.envelope import EnvelopeVerdict
+from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Over, Status
 from fcl_sim.report import alt, lettering, style, summary
 from fcl_sim.report.canvas import Axes, Dot, Figure, Text, span, upright
@@ -91,6 +92,19 @@ def _ringed(shown: Sequence[EnvelopeVerdict]) -> str:
     return "the worst point" + (" or, where all are expected to miss, the nearest" if len(meant) > 1 else "")
 
 
+def _marks(shown: Sequence[EnvelopeVerdict]) -> str:
+    """Return what further marks of a figure are."""
+    off = any(_is_off(each, point) for each in shown for point in range(each.points))
+    means = any(each.requirement.over is Over.MEAN and each.value is not None for each in shown)
+    cross, line = ", a cross a point that is not as required", ", an upright line the mean"
+    return (cross if off else "") + (line if means else "")
+
+
+def _is_off(verdict: EnvelopeVerdict, point: int) -> bool:
+    """Return whether a point has a figure and is not as required."""
+    return verdict.statuses[point] is not Status.PASS and bool(np.isfinite(verdict.values[point]))
+
+
 def envelope_pictures(run: Run, envelope: Envelope) -> list[Picture]:
     """Return the figures of all points, and the worst points over time beside the nominal run."""
     shown = [each for each in envelope.verdicts if np.isfinite(each.values).any()]
@@ -99,7 +113,7 @@ def envelope_pictures(run: Run, envelope: Envelope) -> list[Picture]:
         caption = (
             f"Run {one_line(run.variant)}: what each requirement measures at every point of its envelope, "
             "the points one above the other in their order. "
-            f"The band is what the requirement allows, the ring {_ringed(shown)}."
+            f"The band is what the requirement allows, the ring {_ringed(shown)}{_marks(shown)}."
         )
         found.append(
             Picture(
@@ -190,9 +204,10 @@ def _draw_points(axes: Axes, verdict: EnvelopeVerdict) -> None:
         )
     )
     for place, (value, status) in enumerate(zip(verdict.values.tolist(), verdict.statuses, strict=True)):
-        colour = style.COLOURS[0] if status is Status.PASS else style.VIOLATION_EDGE
         if isfinite(value):
-            axes.add(Dot(value, place, "circle", colour, 2.2, z=4))
+            off = status is not Status.PASS
+            kind, colour = ("cross", style.VIOLATION_EDGE) if off else ("circle", style.COLOURS[0])
+            axes.add(Dot(value, place, kind, colour, 3.2 if off else 2.2, z=4))
     if verdict.worst is not None and np.isfinite(verdict.values[verdict.worst]):
         at = (float(verdict.values[verdict.worst]), verdict.worst)
         axes.add(Dot(*at, "circle", style.INK, 5.0, "none", z=5))
@@ -207,9 +222,12 @@ def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
         if asked.formula is not None
         else asked.metric.replace("_", " ") or "distance from the edges"
     )
-    text = f"{one_line(asked.id)}   {bracketed(name, asked.unit)}, {bound(asked)}"
+    mean = "mean " if asked.over is Over.MEAN else ""
+    text = f"{one_line(asked.id)}   {bracketed(name, asked.unit)}, {mean}{bound(asked)}"
     without = int(np.isnan(verdict.values).sum())
-    tail = f"; {without} without a figure" if without else ""
+    metric = METRICS.get(asked.metric)
+    never = f"never {metric.never}" if metric is not None and metric.never else "without a figure"
+    tail = f"; {without} {never}" if without else ""
     spot: dict[str, Any] = {"up": "bottom", "shift": (0.0, 0.8), "parts": True}
     axes.add(Text(0.0, 1.0, lettering.cut(text, 0.7 * ACROSS), **spot))
     told = f"{summary.passed(verdict)}{tail}"

@@ -21,7 +21,14 @@ COLOURS = ("#0b5fa5", "#d55e00", "#00805f", "#b0568c", "#8a6d00", "#3a9bd0", "#4
 Dashes = tuple[float, ...]
 """Stroke, gap, ... in multiples of the width; none where it is solid."""
 
-DASHES: tuple[Dashes, ...] = ((), (5, 1.6), (1.2, 1.2), (6, 1.5, 1.2, 1.5), (2.5, 1.2))
+DASHES: tuple[Dashes, ...] = (
+    (),
+    (5, 1.6),
+    (1.2, 1.2),
+    (6, 1.5, 1.2, 1.5),
+    (2.5, 1.2),
+    (6, 1.5, 1.2, 1.5, 1.2, 1.5),
+)
 """Strokes in turn, so that runs differ in grey as well; coprime with the colours."""
 
 AGES = ("#8d959e", "#6b747d", "#4a525a", "#30373d", INK)

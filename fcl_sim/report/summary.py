@@ -143,15 +143,17 @@ def envelope_bound(verdict: EnvelopeVerdict) -> str:
     asked = bound(verdict.requirement)
     if verdict.requirement.over is Over.MEAN:
         return f"mean {asked}"
-    if verdict.needed == verdict.points:
-        return asked
-    return f"{asked}, at {verdict.needed} of {verdict.points} or more"
+    meant = ["to be missed"] if verdict.requirement.expect_fail else []
+    least = [f"at {verdict.needed} of {verdict.points} or more"] if verdict.needed < verdict.points else []
+    return ", ".join([asked, " ".join([*meant, *least])] if meant or least else [asked])
 
 
 def passed(verdict: EnvelopeVerdict) -> str:
     """Return at how many points a requirement came out as it should; of a mean, the mean."""
     if verdict.requirement.over is Over.MEAN:
-        return "none" if verdict.value is None else f"mean {figure(verdict.requirement, verdict.value)}"
+        if verdict.value is None:
+            return f"no mean: {verdict.passed} of {verdict.points} have a figure"
+        return f"mean {figure(verdict.requirement, verdict.value)}"
     count = f"{verdict.passed} of {verdict.points}"
     return f"{count} miss it" if verdict.requirement.expect_fail else count
 

@@ -96,6 +96,8 @@ def test_the_report_has_a_table_and_a_picture_of_the_points(outcome):
 def test_an_expected_miss_over_an_envelope_is_called_one_wherever_it_is_told(written):
     missed = NEAR.replace('"40 m"', '"1 m"') + 'expect = "fail"\nat_least = 2\n'
     made = testbench.run(written(VARY, missed))
+    (asked,) = envelope_rows(made.base.envelope)
+    assert asked["asked"].endswith(", to be missed at 2 of 4 or more")
     (row,) = summary.envelope_rows([made])
     assert (row.status, row.shown) == (Status.PASS, "EXPECTED MISS")
     printed = io.StringIO()

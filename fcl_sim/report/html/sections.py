@@ -151,7 +151,7 @@ def _requirement(row: dict[str, Any]) -> Markup:
         prose(row["text"]),
         element(
             "span",
-            f"{metric[:1].upper()}{metric[1:]} of {row['signal']}: ",
+            prose(f"{metric[:1].upper()}{metric[1:]} of {row['signal']}: "),
             element("b", row["bound"]),
             class_="asked",
         ),

@@ -4,14 +4,16 @@ import json
 from dataclasses import replace
 from importlib.resources import files
 
+import numpy as np
 import pytest
 
+from fcl_sim.judge.verdict import Status
 from fcl_sim.report.html import page as page_text
 from fcl_sim.report.html.live import Live, served
 from fcl_sim.testbench import Against
 from tests.report.html.browser import CHROMIUM, browser
 from tests.report.html.pages import page_of
-from tests.report.synthetic import EVIL, outcome, run
+from tests.report.synthetic import EVIL, outcome, run, verdict
 
 pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium; CHROMIUM names one")
 
@@ -189,8 +191,8 @@ def test_a_live_page_follows_what_is_shown_and_keeps_what_was_chosen(tab, tmp_pa
         tab.wait("document.querySelector('.banner:not(.off)')?.textContent === 'crane.fcl:3:1: error <b>'")
         live.show(3, page_text([after], live=3))
         tab.wait("document.querySelector('.banner').classList.contains('off')")
+        assert tab.said == []  # one whose server ends may say that its connection was reset
     tab.wait("document.querySelector('.banner').textContent.startsWith('fcl-sim has ended')")
-    assert tab.said == []
 
 
 def test_names_appear_literally(page):
@@ -217,3 +219,33 @@ def test_nothing_is_wider_than_a_narrow_screen_or_paper(page):
     for width, media in ((390, ""), (700, "print")):
         page.look(width=width, media=media)
         assert page.value("document.documentElement.scrollWidth") <= width
+
+
+def test_what_is_asked_of_one_instant_and_missed_there_is_seen(tab, tmp_path):
+    band = replace(verdict().band, start=60.0, end=60.0)
+    missed = replace(verdict(Status.FAIL, 0.7), band=band, violation=(60.0, 60.0))
+    runs = [replace(run(tmp_path, name), verdicts=(missed,)) for name in ("base", "again")]
+    page = tmp_path / "report.html"
+    page.write_text(page_text([outcome(tmp_path, *runs)]), encoding="utf-8")
+    tab.look()
+    tab.open(page.as_uri())
+    boxes = "[...document.querySelectorAll('.lane {}')].map((each) => each.getBoundingClientRect())"
+    areas = tab.value(f"{boxes.format('.area')}.map((each) => each.width)")
+    assert areas
+    assert min(areas) > 10
+    plot = "document.querySelector('.lane-plot').getBoundingClientRect()"
+    bars = tab.value(f"{boxes.format('.violation')}.map((each) => {plot}.right - each.right)")
+    assert len(bars) == 2
+    assert min(bars) > -0.5
+
+
+def test_an_axis_upwards_has_two_numbers_at_least(tab, tmp_path):
+    made = run(tmp_path)
+    page = tmp_path / "report.html"
+    tab.look()
+    for most in (1.4, 2.2, 3.1, 4.4, 6.3, 8.8):
+        made.trace.values[:, 0] = most * np.cos(made.trace.time)
+        page.write_text(page_text([outcome(tmp_path, replace(made, verdicts=()))]), encoding="utf-8")
+        tab.open(page.as_uri())
+        counts = "[...document.querySelectorAll('.lane-up')].map((each) => each.children.length)"
+        assert tab.value(counts)[0] >= 2, most

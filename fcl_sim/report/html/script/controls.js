@@ -16,7 +16,8 @@ class Controls {
     const { explorer, scenario } = this;
     this.play = html("button", { type: "button", onclick: () => explorer.toggle() }, "Play");
     const set = () => explorer.setTime(Number(this.slider.value) * scenario.scan);
-    this.slider = html("input", { type: "range", min: 0, max: this.scans, step: 1, "aria-label": "Time", oninput: set });
+    const label = `Time in ${scenario.told.name}`;
+    this.slider = html("input", { type: "range", min: 0, max: this.scans, step: 1, "aria-label": label, oninput: set });
     this.told = html("output", {});
     const fitting = SPEEDS.find((speed) => scenario.end / speed <= WATCHED) || SPEEDS.at(-1);
     const options = SPEEDS.map((speed) => html("option", { value: speed, selected: speed === fitting }, `${speed} \u00d7`));

@@ -39,7 +39,7 @@ function swatch(index) {
 }
 
 /** Return the classes that give the run number `index` its colour and its dashes. */
-const look = (index) => `run-${index % 7} dash-${index % 5}`;
+const look = (index) => `run-${index % 7} dash-${index % 6}`;
 
 /** Return a verdict, as a word on a colour. */
 function badge(verdict) {

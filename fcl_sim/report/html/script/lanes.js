@@ -6,6 +6,7 @@ const ROOM = 0.08;
 const MOST_NAMED = 8;
 const BAR = 3; // from one bar of violations to the next, in pixels
 const MOST_BARS = 0.3; // what they take of a lane, at most
+const INSTANT = 0.03; // the part of the window that a band takes at least
 const LETTERS = 0.95; // height of a label, in the unit of the heights in page.css
 
 /** Put the two labels that lie closest together into one. */
@@ -14,6 +15,12 @@ function joinNearest(labels) {
   const at = gaps.indexOf(Math.min(...gaps));
   labels[at].text += `, ${labels[at + 1].text}`;
   labels.splice(at + 1, 1);
+}
+
+/** Return marks, more than were wanted where there would be one alone. */
+function atLeastTwo(low, high, most) {
+  const found = marks(low, high, most);
+  return found.length > 1 ? found : marks(low, high, 2 * most);
 }
 
 /** A lane is drawn on a plane of its own, WIDE each way, once it is seen; what of it is seen is its view box. */
@@ -51,12 +58,16 @@ class Lane {
     this.grid = svg("path", { class: "grid" });
     this.groups = this.lines.map((line, index) => this.run(line, `run ${look(index)}`));
     this.olderGroups = this.older.map((line, i) => this.run(line, this.olderLook(i)));
+    this.bands = told.bands.map((band) => this.band(band));
+    this.shades = svg("g", { class: "shades" });
     this.picture = svg(
       "svg",
       { preserveAspectRatio: "none", role: "img" },
       this.grid,
-      told.bands.map((band) => this.band(band)),
+      this.bands.map(({ area }) => area),
       told.corridors.map((corridor) => this.corridor(corridor)),
+      this.shades,
+      this.bands.map(({ edges }) => edges),
       this.olderGroups,
       [...this.groups].reverse(),
     );
@@ -111,16 +122,29 @@ class Lane {
   }
 
   band(band) {
-    const [left, right] = [this.across(band.from), this.across(band.to)];
     const top = band.high === null ? -1e6 : this.down(band.high);
     const foot = band.low === null ? 1e6 : this.down(band.low);
-    const edges = [band.low, band.high].filter((each) => each !== null).map((each) => this.down(each));
-    return svg(
-      "g",
-      { class: "band" },
-      svg("rect", { x: left, y: top, width: Math.max(right - left, 0), height: Math.max(foot - top, 0) }),
-      svg("path", { d: edges.map((edge) => `M${left} ${edge}H${right}`).join("") }),
-    );
+    const at = [band.low, band.high].filter((each) => each !== null).map((each) => this.down(each));
+    const area = svg("rect", { class: "area", y: top, height: Math.max(foot - top, 0) });
+    return { told: band, at, area, edges: svg("path", { class: "bound" }) };
+  }
+
+  /** Return from when to when a band is drawn: one of an instant is made as wide as is seen, and ends there. */
+  seen({ from, to }, [begin, end]) {
+    const least = INSTANT * (end - begin);
+    if (to - from >= least || to < begin || from > end) return [from, to];
+    const start = Math.min(Math.max(to - least, begin), end - least);
+    return [start, start + least];
+  }
+
+  /** Draw every band as wide as it is seen in a window of time. */
+  widen(window) {
+    for (const { told, at, area, edges } of this.bands) {
+      const [left, right] = this.seen(told, window).map((time) => this.across(time));
+      area.setAttribute("x", left);
+      area.setAttribute("width", Math.max(right - left, 0));
+      edges.setAttribute("d", at.map((edge) => `M${left} ${edge}H${right}`).join(""));
+    }
   }
 
   corridor(corridor) {
@@ -163,10 +187,11 @@ class Lane {
     const [left, right] = [this.across(from), this.across(to)];
     this.picture.setAttribute("viewBox", `${left} ${top} ${right - left} ${foot - top}`);
     const upright = marks(from, to, state.columns).map((each) => `M${this.across(each.at)} ${top}V${foot}`);
-    const level = marks(this.low, this.high, this.told.judged ? 4 : 3);
+    const level = atLeastTwo(this.low, this.high, this.told.judged ? 4 : 3);
     const lying = level.map((each) => `M${left} ${this.down(each.at)}H${right}`);
     this.grid.setAttribute("d", [...upright, ...lying].join(""));
     this.up.replaceChildren(...level.map((each) => this.placed("span", this.part(each.at), {}, each.label)));
+    this.widen(state.window);
     this.nameBands(from, to);
     this.drawUnder(state, isShown);
     this.drawIdle(state, left, right);
@@ -244,18 +269,19 @@ class Lane {
       const [left, right] = [clamped(start, from, to), clamped(end, from, to)];
       if (right < left || end < from || start > to) return null;
       const made = html("div", { class: kind });
-      made.style.left = `${(100 * (left - from)) / (to - from)}%`;
+      made.style.left = `min(${(100 * (left - from)) / (to - from)}%, 100% - 3px)`; // one at the end is seen, too
       made.style.width = `${(100 * (right - left)) / (to - from)}%`;
       if (top !== null) made.style.top = `${100 * top}%`;
       return made;
     };
     const under = [];
     const over = [];
+    const shades = [];
     this.scenario.runs.forEach((run, index) => {
       if (!isShown(index)) return;
       const row = this.missed.indexOf(index);
       for (const each of this.broken(index)) {
-        if (index === state.chosen) under.push(place(each.from, each.to, "violated"));
+        if (index === state.chosen) shades.push([this.across(each.from), this.across(each.to)]);
         const top = (this.strip * (row + 0.4)) / (this.missed.length + 0.5);
         if (row >= 0) over.push(place(each.from, each.to, `violation ${look(index)}`, top));
       }
@@ -266,6 +292,7 @@ class Lane {
       if (mark) mark.append(html("span", { class: time > (from + to) / 2 ? "late" : "" }, `FAULT at ${number(time)}\u00a0s`));
       over.push(mark);
     });
+    this.shades.replaceChildren(...shades.map(([x, end]) => svg("rect", { x, y: -1e6, width: end - x, height: 2e6 })));
     this.under.replaceChildren(...under.filter(Boolean));
     this.over.replaceChildren(...over.filter(Boolean));
   }

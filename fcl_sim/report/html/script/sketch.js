@@ -82,7 +82,7 @@ class Sketch {
     const size = Math.max((right - left) / 40, (top - foot) / 25);
     const at = [right - length.at - size, -foot - size];
     const line = svg("path", { class: "ruler", d: `M${at[0]} ${at[1] - size / 2}v${size / 2}h${length.at}v${-size / 2}` });
-    const text = svg("text", { x: at[0] + length.at / 2, y: at[1] - size / 2, "font-size": 1.15 * size }, `${length.label} m`);
+    const text = svg("text", { x: at[0] + length.at / 2, y: at[1] - 0.75 * size, "font-size": 1.15 * size }, `${length.label} m`);
     return [line, text];
   }
 
