@@ -16,7 +16,7 @@ from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.sampling import Domain, Surface, Track
 from fcl_sim.report.surface import curve_plot, surface_plot
 from fcl_sim.report.terms import as_seen, moves
-from fcl_sim.report.words import joined, number, one_line
+from fcl_sim.report.words import joined, number, one_line, with_unit
 from fcl_sim.testbench import Run
 
 MOST_BARS = 6
@@ -140,7 +140,7 @@ def _map(subject: Subject) -> Picture:
     ]
     return Picture(
         name=subject.name,
-        caption=_caption(maps[0], fixed, track, known=bool(subject.known)),
+        caption=_caption(maps[0], _held(subject, fixed), track, known=bool(subject.known)),
         alt=alt.of_surfaces(maps, fixed, track),
         draw=partial(surface_plot, maps, track, in_space=track is None),
     )
@@ -184,12 +184,25 @@ def _finite(seen: Mapping[str, Values], name: str) -> Values:
     return values[np.isfinite(values)]
 
 
-def _caption(surface: Surface, fixed: Mapping[str, float], track: Track | None, *, known: bool) -> str:
+def _held(subject: Subject, fixed: Mapping[str, float]) -> list[str]:
+    """Return the values at which inputs are held, and from where to where each went in the run."""
+    told = []
+    for each in subject.inputs:
+        if each.name not in fixed:
+            continue
+        value = f"{one_line(each.name)} = {with_unit(fixed[each.name], each.unit)}"
+        finite = _finite(subject.known, each.name)
+        ends = [number(float(end)) for end in (finite.min(), finite.max())] if len(finite) else ["", ""]
+        told.append(value if ends[0] == ends[1] else f"{value} (of {ends[0]} to {ends[1]})")
+    return told
+
+
+def _caption(surface: Surface, held: Sequence[str], track: Track | None, *, known: bool) -> str:
     across, up = one_line(surface.across.name), one_line(surface.up.name)
     text = f"{one_line(surface.name)} over {across} and {up}"
-    if fixed:
-        held = joined([f"{one_line(name)} = {number(at)}" for name, at in fixed.items()])
-        text += f"; {held} held" + (f" at {'the' if track else 'a'} run's median" if known else "")
+    if held:
+        where = f" at {'the' if track else 'a'} run's median" if known else ""
+        text += f"; {joined(list(held))} held{where}"
     if surface.undefined.any():
         text += (
             ". Hatched, and left out in space: no rule is active"

@@ -230,7 +230,7 @@ ELSEWHERE = "Not drawn, as a rule is active in every scan; the page for a browse
 CHARACTERISTIC = (
     "What a rule base gives wherever its inputs are, and the way of each run over it, "
     "from the circle to the square, the darker the later; round times are marked. "
-    "Where the map is hatched or the way orange, no rule is active."
+    "Where the map is hatched, the way orange or its end an open square, no rule is active."
 )
 
 
@@ -251,6 +251,8 @@ def run_text(outcome: Outcome, run: Run) -> str:
     unlike = [] if run is outcome.base else unlike_base(outcome, run)
     if unlike:
         sentences.append(f"Unlike the base run: {'; '.join(unlike)}.")
+    elif run is not outcome.base and run.envelope is not None:
+        sentences.append("The same as the base run; its envelope is another.")
     for first, *more in run.trace.events_by_kind:
         times = f"{len(more) + 1} times, first" if more else "once,"
         at = with_unit(first.tick / 1e9, "s", 9)

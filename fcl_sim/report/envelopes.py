@@ -82,14 +82,18 @@ def _decisive(verdict: EnvelopeVerdict) -> str:
     """Return what the point that is told is: where all are to miss a bound, the one that nearly keeps it."""
     if verdict.requirement.over is Over.MEAN:
         return "Furthest"
-    return "Nearest to its bound" if verdict.requirement.expect_fail else "Worst"
+    if not verdict.requirement.expect_fail:
+        return "Worst"
+    is_met = verdict.worst is not None and verdict.statuses[verdict.worst] is Status.FAIL
+    return "Met most clearly" if is_met else "Nearest to its bound"
 
 
 def _ringed(shown: Sequence[EnvelopeVerdict]) -> str:
     meant = {each.requirement.expect_fail for each in shown}
+    nearest = "that nearest to its bound, or furthest within"
     if meant == {True}:
-        return "the point nearest to its bound, which all are expected to miss"
-    return "the worst point" + (" or, where all are expected to miss, the nearest" if len(meant) > 1 else "")
+        return f"of what is to be missed {nearest}"
+    return "the worst point" + (f" or, of what is to be missed, {nearest}" if len(meant) > 1 else "")
 
 
 def _marks(shown: Sequence[EnvelopeVerdict]) -> str:
@@ -206,8 +210,8 @@ def _draw_points(axes: Axes, verdict: EnvelopeVerdict) -> None:
     for place, (value, status) in enumerate(zip(verdict.values.tolist(), verdict.statuses, strict=True)):
         if isfinite(value):
             off = status is not Status.PASS
-            kind, colour = ("cross", style.VIOLATION_EDGE) if off else ("circle", style.COLOURS[0])
-            axes.add(Dot(value, place, kind, colour, 3.2 if off else 2.2, z=4))
+            colour = style.VIOLATION_EDGE if off else style.COLOURS[0]
+            axes.add(Dot(value, place, "cross" if off else "circle", colour, 3.2 if off else 2.2, z=4))
     if verdict.worst is not None and np.isfinite(verdict.values[verdict.worst]):
         at = (float(verdict.values[verdict.worst]), verdict.worst)
         axes.add(Dot(*at, "circle", style.INK, 5.0, "none", z=5))

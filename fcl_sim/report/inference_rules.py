@@ -31,6 +31,8 @@ HIGH = 10.5
 GAUGE = 2.4
 """Height of the bar of a degree that has no sketch, in mm."""
 GAP = 1.6
+APART = 2.0
+"""What lies at least between a label and what stands to the right of it, in mm."""
 LABELS = 26.0
 """The label of a rule takes at most so much, in mm."""
 
@@ -106,9 +108,10 @@ def _columns(rules: Sequence[Fired]) -> Columns:
 
 def _lines(first: str, second: str, right: str, width: float) -> int:
     """Return the lines that a label and what stands to the right of it take: the latter has the last."""
+    room = width / style.HINTED - lettering.text_width(right, style.SMALL)
     for count, last in ((1, f"{first} {second}"), (2, second)):
-        text = f"{one_line(last)}  {right}" if one_line(last) else right
-        if lettering.text_width(text, style.SMALL) <= width / style.HINTED:
+        own = lettering.text_width(one_line(last), style.SMALL)
+        if (own + APART if own else 0.0) <= room:
             return count
     return 3
 
@@ -120,7 +123,7 @@ def _label(
     x, y = at
     first, second, right = texts
     whole = width / style.HINTED
-    room = max(whole - lettering.text_width(right, style.SMALL) - 2.0, 4.0)
+    room = max(whole - lettering.text_width(right, style.SMALL) - APART, 4.0)
     below = y + LINE[style.SMALL] * (lines - 1)
     above = {1: [], 2: [first], 3: [first, second]}[lines]
     last = {1: f"{first} {second}".strip(), 2: second, 3: ""}[lines]

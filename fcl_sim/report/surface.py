@@ -199,7 +199,8 @@ def _draw_track(axes: Axes, track: Track) -> None:
     if left <= first[0] <= right and low <= first[1] <= high:
         axes.add(Dot(*first, "circle", style.INK, 6.2, style.PAPER, z=6))
     if left <= last[0] <= right and low <= last[1] <= high:
-        axes.add(Dot(*last, "square", style.INK, 4.4, halo=HALO, z=6))
+        colour, face = (style.INK, "") if active[-1] else (style.VIOLATION_EDGE, style.PAPER)
+        axes.add(Dot(*last, "square", colour, 4.4, face, halo=HALO, z=6))
 
 
 def _ages(track: Track, kept: NDArray[np.intp]) -> Iterator[tuple[int, int, str]]:

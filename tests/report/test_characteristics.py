@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 
 from fcl_sim.block import loads
 from fcl_sim.loop.trace import FuzzyRecord
-from fcl_sim.report.canvas import Line, Shape
+from fcl_sim.report.canvas import Dot, Line, Shape
 from fcl_sim.report.characteristics import characteristic, memberships, over_inputs
 from fcl_sim.report.exits import told
 from fcl_sim.report.sampling import Track, closer, curve, domains, following, surface
-from fcl_sim.report.style import VIOLATION_EDGE
+from fcl_sim.report.style import INK, VIOLATION_EDGE
 from fcl_sim.report.surface import thinned_path
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, ONE_INPUT, THREE_INPUTS, crane, run
@@ -154,6 +154,24 @@ def test_of_more_inputs_the_two_that_moved_most_are_drawn_and_the_others_held_at
     pictures = characteristic(block, {}, "mixer", seen)
     assert [each.name for each in pictures] == ["mixer-u", "mixer-v"]
     assert pictures[0].caption == "u over a and c; b = 0.25 held at the run's median."
+
+
+def test_of_an_input_that_is_held_it_is_told_from_where_to_where_it_went():
+    block = loads(THREE_INPUTS)
+    step = np.linspace(0.0, 1.0, 11)
+    seen = record(block, a=step, b=0.2 + 0.1 * step, c=step)
+    picture = characteristic(block, {"b": "m"}, "mixer", seen)[0]
+    assert "b = 0.25\N{NO-BREAK SPACE}m (of 0.2 to 0.3) held at the run's median" in picture.caption
+
+
+@pytest.mark.parametrize(("active", "colour"), [(True, INK), (False, VIOLATION_EDGE)])
+def test_a_way_that_ends_where_no_rule_is_active_ends_in_another_mark(active, colour, tmp_path):
+    made = run(tmp_path)
+    made.trace.fuzzy["controller.rules"].flags[-5:] = active
+    (picture,) = over_inputs(made)
+    (end,) = (dot for dot in picture.draw().axes[0].of(Dot) if dot.kind == "square")
+    assert end.colour == colour
+    assert bool(end.face) == (not active)
 
 
 def test_without_a_run_the_others_are_held_in_the_middle():
