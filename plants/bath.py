@@ -32,15 +32,17 @@ PLANT = Plant(
         Output("valve_opening", "%", "where the valve stands"),
     ),
     parameters=(
-        Parameter("mass", "kg", 500.0, "m, of the water", "[A]", 1.0),
+        Parameter("mass", "kg", 500.0, "m, of the water", "[A] 50 min of lag at the usual draw-off", 1.0),
         Parameter("heat_capacity", "J/kg K", 4186.0, "c, of water", "handbook", 1.0),
-        Parameter("heating", "kW", 60.0, "Q, with the valve fully open", "[A]", 0.0),
+        Parameter(
+            "heating", "kW", 60.0, "Q, with the valve fully open", "[A] holds 100 degC at a demand of 1", 0.0
+        ),
         Parameter("draw_off", "W/K", 700.0, "K, at a demand of 1", "[A] 0.17 kg/s of water", 0.0),
-        Parameter("supply", "degC", 20.0, "Tin, of what replaces the draw-off", "[A]"),
-        Parameter("valve_lag", "s", 5.0, "tauv", "[A]", 0.01),
+        Parameter("supply", "degC", 20.0, "Tin, of what replaces the draw-off", "[A] room temperature"),
+        Parameter("valve_lag", "s", 5.0, "tauv", "[A] short beside the lag of the water", 0.01),
         Parameter("pressure_at", "mbar", 4000.0, "P0, at T0", "middle of the manual's ramp for the pressure"),
         Parameter("reference", "degC", 72.5, "T0", "[A] middle of the manual's plateau for the temperature"),
-        Parameter("pressure_slope", "mbar/K", 2.0, "kP", "[A]"),
+        Parameter("pressure_slope", "mbar/K", 2.0, "kP", "[A] 50 K pass one ramp of the manual"),
     ),
 )
 

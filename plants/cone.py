@@ -37,9 +37,11 @@ PLANT = Plant(
     parameters=(
         Parameter("rim", "m", 0.8, "H, height of the rim", "a laboratory cone, scribd 411962115", 0.01),
         Parameter("radius", "m", 0.2, "R, at the rim", "the same", 0.01),
-        Parameter("outlet", "m3/s", 4e-4, "c, outflow at a level of 1 m", "[A]", 0.0),
+        Parameter(
+            "outlet", "m3/s", 4e-4, "c, outflow at a level of 1 m", "[A] the pump at 72 % holds the rim", 0.0
+        ),
         Parameter("capacity", "m3/s", 5e-4, "Qmax, of the pump", "[A] the laboratory's gave 3e-4", 0.0),
-        Parameter("pump_lag", "s", 1.5, "tauq", "[A]", 0.01),
+        Parameter("pump_lag", "s", 1.5, "tauq", "[A] near the dead time of 2 s", 0.01),
     ),
 )
 
