@@ -36,6 +36,9 @@ MARKS: Mapping[Status, str] = {
 MISS = "○"
 """A miss that is expected."""
 
+NOT_ASKED = "–"
+"""What stands before the sign of an envelope where the run itself is not asked."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Asked:
@@ -110,6 +113,8 @@ def _cell(asked: Asked, variant: str) -> Data:
     found = [each[variant] for each in (asked.runs, asked.envelopes) if variant in each]
     marks = [MISS if expected_miss(each) else MARKS[each.status] for each in found]
     words = [_words(each) for each in found]
+    if found and variant not in asked.runs:
+        marks = [NOT_ASKED, *marks]
     return {
         "marks": "".join(marks),
         "words": "; ".join(words) or "not asked",

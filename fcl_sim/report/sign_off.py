@@ -1,9 +1,11 @@
 """What is signed: inputs with their hashes, what they were computed with, assumptions, waivers."""
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import Any
 
+from fcl_sim.diagnostics.page import page
 from fcl_sim.model import FunctionBlock
 from fcl_sim.plant.catalog import PlantModel
 from fcl_sim.plant.declaration import Parameter
@@ -50,6 +52,7 @@ def sign_off(stored: Stored) -> Data:
         "files": files(stored.outcomes, stored.stories),
         "facts": [*revisions(stored.origin), *computed(runs)],
         "assumptions": [*assumptions(runs)],
+        "open": [*open_findings(stored.proofs)],
         "waivers": [*waivers(stored.covered, stored.proofs)],
         "signers": list(SIGNERS),
     }
@@ -180,6 +183,18 @@ def _varied(run: Run, ending: str) -> list[Any]:
     """Return the values that the envelope of a run gives to what ends so, as the scenario writes them."""
     axes = run.envelope.grid.axes if run.envelope is not None else ()
     return [each.plain() for axis in axes if axis.key.endswith(ending) for each in axis.values]
+
+
+def open_findings(proofs: Sequence[Proved]) -> Iterator[Data]:
+    """Yield what the check finds in the rule bases and nobody has waived: code, what it means, how often."""
+    for each in proofs:
+        for code, count in Counter(found.code for found in each.findings).items():
+            title = page(code).title
+            yield {
+                "rule_base": f"{one_line(each.name)} in {one_line(each.file)}",
+                "code": code,
+                "what": f"{title[:1].upper()}{title[1:]}{f', {count} times' if count > 1 else ''}",
+            }
 
 
 def waivers(covered: Sequence[Coverage], proofs: Sequence[Proved]) -> Iterator[Data]:

@@ -18,6 +18,7 @@ from fcl_sim.report.content import report_data
 from fcl_sim.report.envelopes import envelope_rows
 from fcl_sim.report.findings import findings
 from fcl_sim.report.gather import gathered
+from fcl_sim.report.requirement_matrix import matrix_rows
 from fcl_sim.report.schema import json_schema
 
 VARY = """
@@ -114,3 +115,12 @@ def test_a_threshold_stands_with_the_words_that_give_its_reason(written):
     assert row["reason"] == "It has not far to go, but for long ways"
     (plain,) = envelope_rows(testbench.run(written(VARY, NEAR)).base.envelope)
     assert plain["reason"] == ""
+
+
+@pytest.mark.parametrize("over", ["points", "mean"])
+def test_in_the_matrix_an_envelope_has_a_dash_before_its_sign_where_the_run_is_not_asked(over, written):
+    for asked, dashes in ((NEAR + f'over = "{over}"\n', 1), (NEAR, 0)):
+        (table,) = matrix_rows([testbench.run(written(VARY, asked))])
+        ((cell,),) = (row["cells"] for row in table["rows"])
+        assert len(cell["marks"]) == 2
+        assert cell["marks"].count("–") == cell["marks"].startswith("–") == dashes

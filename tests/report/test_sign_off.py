@@ -92,6 +92,14 @@ def test_what_is_found_and_what_is_waived_is_told_of_a_rule_base(tmp_path):
     file = InputFile(role="rule base", name="crane.fcl", path=path, digest="")
     found = proved(crane(), file)
     assert [each.code for each in found.findings] == ["FCL601", "FCL608", "FCL608", "FCL609"]
+    stored = Stored(outcomes=(), covered=(), proofs=(found,), stories=(), origin=Origin(date=EPOCH))
+    told = [(each["rule_base"], each["code"], each["what"]) for each in sign_off(stored)["open"]]
+    of = f"{found.name} in crane.fcl"
+    assert told == [
+        (of, "FCL601", "An output is undefined where no rule fires"),
+        (of, "FCL608", "No rule asks for a term, 2 times"),
+        (of, "FCL609", "No rule concludes a term"),
+    ]
     (tmp_path / "crane.waivers.toml").write_text(
         '[[waive]]\nwhat = "FCL609"\nrule = "neg_high"\nreason = "not needed"\ndate = 2026-03-01\n'
     )
