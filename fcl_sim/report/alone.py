@@ -17,7 +17,7 @@ from fcl_sim.report.proved import Proved, proved
 from fcl_sim.report.provenance import EPOCH, InputFile, Origin, date_asked, shown
 from fcl_sim.report.results import printed, versions
 from fcl_sim.report.rule_bases import Base, rule_base_data
-from fcl_sim.report.sign_off import SIGNERS, fact, revisions, waivers
+from fcl_sim.report.sign_off import SIGNERS, fact, open_findings, revisions, waivers
 from fcl_sim.report.words import counted, joined, one_line
 from fcl_sim.scenario.bench import bench_of
 from fcl_sim.scenario.revision import revision_of
@@ -59,6 +59,7 @@ def report_data(blocks: Sequence[Block], file: InputFile, origin: Origin, regist
             "files": [{"role": "Rule base", "name": one_line(file.name), "digest": file.digest}],
             "facts": [*revisions(origin), fact("Versions", _versions())],
             "assumptions": None,
+            "open": [*open_findings(proofs)],
             "waivers": [*waivers((), proofs)],
             "signers": list(SIGNERS),
         },

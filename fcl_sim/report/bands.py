@@ -66,7 +66,7 @@ def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]]) -> None:
     low, high = axes.y
     labels: dict[float, list[str]] = {}
     for band, ids in bands.items():
-        across = _seen(axes, band)
+        across = _seen(axes, (band.start, band.end), INSTANT)
         bottom = low if band.low is None else max(band.low, low)
         top = high if band.high is None else min(band.high, high)
         if bottom < top:
@@ -80,16 +80,16 @@ def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]]) -> None:
     _name_bounds(axes, labels)
 
 
-def _seen(axes: Axes, band: Band) -> Interval:
-    """Return from when to when a band is drawn: one of an instant is made as wide as is seen.
+def _seen(axes: Axes, interval: Interval, shortest: float) -> Interval:
+    """Return from when to when an interval is drawn: one of an instant is made as wide as is seen, in mm.
 
     It ends at the instant, as behind it a signal may well go elsewhere.
     """
     begin, end = axes.x
-    least = min(INSTANT / axes.width, 1.0) * (end - begin)
-    if band.end - band.start >= least:
-        return band.start, band.end
-    start = min(max(band.end - least, begin), end - least)
+    least = min(shortest / axes.width, 1.0) * (end - begin)
+    if interval[1] - interval[0] >= least:
+        return interval
+    start = min(max(interval[1] - least, begin), end - least)
     return start, start + least
 
 
@@ -135,8 +135,9 @@ def apart(places: Sequence[float], least: float) -> list[float]:
 def draw_violations(axes: Axes, violations: Sequence[Interval]) -> None:
     """Shade each violated interval of a lone run, with a bar along the upper edge."""
     for each in violations:
-        axes.add(span(axes, each, style.VIOLATION, opacity=0.7, z=1.5))
-        axes.add(span(axes, each, style.VIOLATION_EDGE, (0.955, 1.0), z=4))
+        across = _seen(axes, each, SHORTEST)
+        axes.add(span(axes, across, style.VIOLATION, opacity=0.7, z=1.5))
+        axes.add(span(axes, across, style.VIOLATION_EDGE, (0.955, 1.0), z=4))
 
 
 def strip_of(count: int, height: float) -> float:

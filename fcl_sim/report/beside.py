@@ -15,7 +15,7 @@ from fcl_sim.loop.trace import Trace
 from fcl_sim.report import alt, baselines
 from fcl_sim.report.pictures import Picture, numbered, view_of
 from fcl_sim.report.time_plots import Lane, Shown, lanes, pages, time_plot
-from fcl_sim.report.words import one_line, with_unit
+from fcl_sim.report.words import metric_name, one_line, with_unit
 from fcl_sim.testbench import Outcome, Run
 
 UNCHANGED = 1e-9
@@ -101,7 +101,7 @@ def _subject(verdict: Verdict) -> str:
         return "robustness of its formula"
     if asked.corridor is not None:
         return f"margin of {asked.corridor.signal}"
-    return f"{asked.metric.replace('_', ' ')} of {asked.signal}"
+    return f"{metric_name(asked.metric)} of {asked.signal}"
 
 
 def _change(old: Verdict | None, new: Verdict | None) -> str:

@@ -27,6 +27,7 @@ from fcl_sim.report.words import (
     counted,
     ending,
     joined,
+    metric_name,
     one_line,
     plain,
     together,
@@ -314,7 +315,7 @@ def _metric_name(requirement: Requirement) -> str:
         return "robustness"
     if requirement.corridor is not None:
         return "corridor"
-    name = one_line(requirement.metric.replace("_", " "))
+    name = one_line(metric_name(requirement.metric))
     if requirement.relative_to is None:
         return name
     return f"{name} ({one_line(relation(requirement.relative_to))})"

@@ -17,7 +17,7 @@ from fcl_sim.report.canvas import Axes, Dot, Figure, Text, span, upright
 from fcl_sim.report.frame import draw_frame, room_below, ticks
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.time_plots import Shown, lanes, pages, time_plot
-from fcl_sim.report.words import bound, bracketed, counted, figure, joined, one_line, together
+from fcl_sim.report.words import bound, bracketed, counted, figure, joined, metric_name, one_line, together
 from fcl_sim.testbench import Run
 
 LEFT, RIGHT = 4.0, 4.0
@@ -70,7 +70,7 @@ def _about(verdict: EnvelopeVerdict) -> str:
     asked = verdict.requirement
     if asked.formula is not None:
         return asked.formula.statement.words or asked.formula.statement.formula
-    return f"{asked.metric.replace('_', ' ') or 'corridor'} of {joined(list(asked.signals))}"
+    return f"{metric_name(asked.metric) or 'corridor'} of {joined(list(asked.signals))}"
 
 
 def _worst(envelope: Envelope, verdict: EnvelopeVerdict) -> str:
@@ -222,9 +222,7 @@ def _draw_points(axes: Axes, verdict: EnvelopeVerdict) -> None:
 def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
     asked = verdict.requirement
     name = (
-        "robustness"
-        if asked.formula is not None
-        else asked.metric.replace("_", " ") or "distance from the edges"
+        "robustness" if asked.formula is not None else metric_name(asked.metric) or "distance from the edges"
     )
     mean = "mean " if asked.over is Over.MEAN else ""
     text = f"{one_line(asked.id)}   {bracketed(name, asked.unit)}, {mean}{bound(asked)}"

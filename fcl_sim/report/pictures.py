@@ -6,6 +6,7 @@ from functools import partial
 
 import numpy as np
 
+from fcl_sim.judge.verdict import Verdict
 from fcl_sim.loop.diagram import FuzzyNode, Node
 from fcl_sim.report import alt
 from fcl_sim.report.canvas import Figure
@@ -139,13 +140,24 @@ def _told(run: Run, still: Sequence[Lane]) -> str:
     return f" Constant: {'; '.join(values)}." if values else ""
 
 
+def _is_seen(verdict: Verdict, page: Sequence[Lane]) -> bool:
+    """Return whether a lane of a figure shows where a requirement is violated."""
+    about = verdict.blamed or verdict.requirement.signals
+    return any(not set(about).isdisjoint(lane.names) for lane in page)
+
+
 def _caption(run: Run, page: Sequence[Lane], index: int) -> str:
     what = "signals over time" if index == 0 else "further signals over time"
     parts = [f"Run {one_line(run.variant)}: {what}."]
     if any(lane.judged for lane in page):
         parts.append("Bands are what the requirements allow, dashed lines their bounds.")
-        if any(verdict.violation for verdict in run.verdicts):
+        missed = [each for each in run.verdicts if each.violation and _is_seen(each, page)]
+        formulas = [one_line(each.requirement.id) for each in missed if each.requirement.formula is not None]
+        if missed:
             parts.append("A shaded stretch with a bar at its upper edge violates a requirement.")
+        if formulas:
+            also = "which is a formula, shades" if len(formulas) == 1 else "which are formulas, shade"
+            parts.append(f"{joined(formulas)}, {also} what is to blame.")
     if any(not record.active.all() for record in run.trace.fuzzy.values()):
         parts.append("Hatching at the foot of an output: no rule is active.")
     if marks_of(run.trace):

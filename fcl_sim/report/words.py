@@ -58,6 +58,15 @@ def number(value: float, digits: int = 4) -> str:
     return printed(f"{float(rounded):.0f}" if plainly else rounded) if value else "0"
 
 
+INTEGRALS = ("iae", "ise", "itae", "itse")
+"""Metrics that are known by the letters of their names."""
+
+
+def metric_name(metric: str) -> str:
+    """Return a metric as it is called in a sentence."""
+    return metric.upper() if metric in INTEGRALS else metric.replace("_", " ")
+
+
 def with_unit(value: float, unit: str, digits: int = 4) -> str:
     """Return a number with its unit, which it does not part from; a pure number shows none."""
     return _joined(number(value, digits), unit)

@@ -123,6 +123,24 @@ def test_a_violation_is_shaded_from_its_start_to_its_end():
     assert spans(figure(shown("settles")), VIOLATION) == []
 
 
+def test_a_violation_at_the_last_instant_is_wide_enough_to_be_seen():
+    band = Band(signal="crane.distance", low=-0.5, high=0.5, start=60.0, end=60.0)
+    judged = replace(verdict(Status.FAIL, 0.7), band=band, violation=(60.0, 60.0))
+    drawn = figure(shown("swings", verdicts=(judged,)))
+    for start, end in spans(drawn, VIOLATION):
+        assert (end - start) / 60.0 * drawn.axes[0].width >= 0.69
+        assert end == 60.0
+    assert spans(drawn, VIOLATION)
+
+
+@pytest.mark.parametrize("violated", [True, False])
+def test_the_caption_explains_what_is_shaded_and_names_formulas(violated, tmp_path):
+    judged = of_formula("crane.distance < 5 m", Status.FAIL if violated else Status.PASS)
+    (picture,) = over_time(replace(run(tmp_path), verdicts=(judged,)))
+    assert ("A shaded stretch with a bar" in picture.caption) == violated
+    assert ("CR-6, which is a formula, shades what is to blame." in picture.caption) == violated
+
+
 @pytest.mark.parametrize("at", [30.0, 0.0, 60.0])
 def test_a_band_of_an_instant_ends_there_and_is_wide_enough_to_be_seen(at):
     band = Band(signal="crane.distance", low=-1.0, high=1.0, start=at, end=at)

@@ -17,6 +17,7 @@ from fcl_sim.report.words import (
     exactly,
     expectation,
     joined,
+    metric_name,
     number,
     one_line,
     plain,
@@ -212,3 +213,8 @@ def test_a_run_that_ended_early_is_told_with_its_time_signal_and_reason(tmp_path
     (ending,) = endings([found])
     assert ending.startswith(f"{found.scenario.name} lost: FAULT: the run ended at ")
     assert ending.endswith(f"s, at {fault.signal}: the integrator cannot reach its tolerance.")
+
+
+@pytest.mark.parametrize(("metric", "name"), [("itae", "ITAE"), ("settling_time", "settling time"), ("", "")])
+def test_a_metric_is_called_as_people_call_it(metric, name):
+    assert metric_name(metric) == name
