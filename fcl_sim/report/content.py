@@ -265,7 +265,7 @@ def run_text(outcome: Outcome, run: Run) -> str:
 
 
 def facts_of(outcome: Outcome) -> list[Data]:
-    """Return how a scenario is set up: plant, timing, accuracy."""
+    """Return how a scenario is set up: plant, timing, accuracy, envelopes."""
     diagram = outcome.base.diagram
     plant, timing = diagram.plant, diagram.timing
     declared = plant.model.declaration
@@ -281,8 +281,14 @@ def facts_of(outcome: Outcome) -> list[Data]:
             fact("Overrides", *(f"{key} = {each}" for key, each in outcome.scenario.overrides.items()))
         )
     told = "exact, the plant is linear" if diagram.exact else accuracy(diagram.integration)
-    rows.append(fact("Integration", told))
-    return rows
+    return [*rows, fact("Integration", told), _envelopes(outcome)]
+
+
+def _envelopes(outcome: Outcome) -> Data:
+    """Return at how many points each run was judged besides: a worst case is the worst of these."""
+    varied = [run for run in outcome.variants.values() if run.envelope is not None]
+    told = [f"{run.variant} at {counted(len(run.envelope), 'point')}" for run in varied if run.envelope]
+    return fact("Envelopes", joined(told) if told else "none: each run is judged as it stands")
 
 
 def requirement_rows(runs: Sequence[Run]) -> list[Data]:

@@ -14,7 +14,7 @@ from fcl_sim.cli.regressions import exit_code
 from fcl_sim.cli.table import print_envelopes
 from fcl_sim.judge.verdict import Status
 from fcl_sim.report import job_summary, junit, results, summary
-from fcl_sim.report.content import report_data
+from fcl_sim.report.content import facts_of, report_data
 from fcl_sim.report.envelopes import envelope_rows
 from fcl_sim.report.findings import findings
 from fcl_sim.report.gather import gathered
@@ -124,3 +124,9 @@ def test_in_the_matrix_an_envelope_has_a_dash_before_its_sign_where_the_run_is_n
         ((cell,),) = (row["cells"] for row in table["rows"])
         assert len(cell["marks"]) == 2
         assert cell["marks"].count("–") == cell["marks"].startswith("–") == dashes
+
+
+def test_the_facts_of_a_scenario_tell_at_how_many_points_its_runs_are_judged_or_that_at_none(written):
+    for vary, told in ((VARY, "base at 4 points"), ("", "none: each run is judged as it stands")):
+        *_, last = facts_of(testbench.run(written(vary, NEAR)))
+        assert (last["label"], last["values"]) == ("Envelopes", [told])

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from fcl_sim import forked
 from fcl_sim.diagnostics import InputFault
 from fcl_sim.report import exclusive, write, writer
 from fcl_sim.report.characteristics import memberships
@@ -225,7 +226,8 @@ def test_pictures_that_share_a_name_get_files_of_their_own(tmp_path):
 
 @pytest.mark.parametrize("processors", [1, 2, 3])
 def test_pictures_are_drawn_once_each_whoever_draws_them(processors, tmp_path, monkeypatch):
-    monkeypatch.setattr(writer, "able", lambda: processors)
+    for module in (writer, forked):
+        monkeypatch.setattr(module, "able", lambda workers=None: processors)
     (picture,) = memberships(crane(), {}, "Terms")
     told = []
     with closing(writer.Shelf(tmp_path)) as shelf:
