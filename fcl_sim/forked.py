@@ -16,6 +16,7 @@ import pickle
 import select
 import signal
 import sys
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -90,7 +91,7 @@ def _share(tasks: Sequence[Task], done: Callable[[int], None], count: int) -> No
 
 def _copy(task: Task) -> int:
     """Start a copy of this process that does a task and ends, with 0 if that went well; return its number."""
-    copy = os.fork()
+    copy = _fork()
     if copy:
         return copy
     code = 1
@@ -100,6 +101,23 @@ def _copy(task: Task) -> int:
         code = 0
     finally:  # whatever comes, a copy never goes on with what this process does next
         os._exit(code)
+
+
+def _fork() -> int:
+    """Fork this process; an interrupt waits meanwhile, as what a hook of the fork raises is lost."""
+    handler = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(handler):
+        return os.fork()
+    waiting: list[int] = []
+    signal.signal(signal.SIGINT, lambda number, _: waiting.append(number))
+    try:
+        copy = os.fork()
+    finally:
+        signal.signal(signal.SIGINT, handler)
+    if copy and waiting:
+        _end([copy])
+        signal.raise_signal(signal.SIGINT)
+    return copy
 
 
 def _end(copies: Sequence[int]) -> None:

@@ -1,6 +1,7 @@
 """What copies of this process do and send back is what it would have come to alone."""
 
 import os
+import signal
 import sys
 import time
 from functools import partial
@@ -35,12 +36,16 @@ def test_every_task_is_done(tmp_path, workers, count):
 @pytest.mark.skipif(sys.platform != "linux", reason="done by one process")
 def test_a_copy_does_its_share_while_this_process_is_busy(tmp_path):
     def by_whom(number: int) -> None:
-        while os.getpid() == HERE and not any(tmp_path.iterdir()):
-            time.sleep(0.001)
         (tmp_path / f"{number}").write_text(str(os.getpid()), encoding="utf-8")
+        while len(writers()) < 2:  # neither does it all before the other has begun
+            time.sleep(0.001)
+
+    def writers() -> set[str]:
+        return {file.read_text(encoding="utf-8") for file in tmp_path.iterdir()} - {""}
 
     do_all([partial(by_whom, number) for number in range(20)], lambda _: None, 2)
-    assert len({file.read_text(encoding="utf-8") for file in tmp_path.iterdir()}) == 2
+    assert len(writers()) == 2
+    assert len(list(tmp_path.iterdir())) == 20
 
 
 def test_what_a_copy_fails_at_is_done_here(tmp_path):
@@ -176,3 +181,18 @@ def test_no_more_work_than_told_is_under_way_and_the_heaviest_goes_first(tmp_pat
         copies.result(work)
     assert (tmp_path / "order").read_text(encoding="utf-8") == "bca"
     assert copies.free()
+
+
+@copied
+def test_an_interrupt_in_the_midst_of_a_fork_is_not_lost():
+    os.register_at_fork(after_in_parent=partial(interrupt_once, [signal.SIGINT]))
+    with pytest.raises(KeyboardInterrupt):
+        Copies(1).begin(partial(time.sleep, 5.0))
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+def interrupt_once(left):
+    """Interrupt this process, at the first call."""
+    if left:
+        signal.raise_signal(left.pop())
