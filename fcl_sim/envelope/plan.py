@@ -96,9 +96,8 @@ def plan(scenario: Scenario, setup: Setup, load_block: LoadBlock) -> Plan:
     What only several values together make wrong is found when their turn comes.
     """
     faults: dict[Diagnostic, None] = {}
-    related = {each.relative_to.variant for each in scenario.requirements if each.relative_to} - {
-        setup.variant
-    }
+    asked_here = [each for each in scenario.requirements if setup.variant in each.runs]
+    related = {each.relative_to.variant for each in asked_here if each.relative_to} - {setup.variant}
     setups = [setup, *(scenario.variants[name] for name in sorted(related))]
     inner = frozenset(axis.key for axis in setup.vary if all(moves_plant(axis, each) for each in setups))
     made = Plan(

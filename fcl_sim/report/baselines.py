@@ -19,8 +19,7 @@ def lines(run: Run) -> Iterator[str]:
     for metric in compared.changed_metrics:
         yield metric_line(metric)
     yield from _some([signal_line(each) for each in compared.changed_signals], "signals", MOST_SIGNALS)
-    if run.cause is not None:
-        yield from cause_lines(run.cause)
+    yield from causes(run)
 
 
 def accepted(baseline: Baseline | None) -> str:
@@ -72,8 +71,26 @@ MOST_EDITS, MOST_SIGNALS = 6, 2
 """Edits or changed rules, and signals, that are told; of more, how many there are."""
 
 
-def cause_lines(cause: Cause) -> Iterator[str]:
-    """Yield why a run left its baseline: what was edited, and the first scan at which it told."""
+def causes(run: Run) -> Iterator[str]:
+    """Yield why a run left its baseline, where it did: what was edited, and the first scan that told."""
+    cause = run.cause
+    if cause is None:
+        return
+    if not (cause.setting or cause.edits) and not _does_otherwise(run.compared):
+        yield "The run does what it did: its scenario asks something else of it."
+    else:
+        yield from _cause_lines(cause)
+
+
+def _does_otherwise(compared: Comparison | None) -> bool:
+    """Return whether a figure or a signal is not what it was; one that only one side has tells nothing."""
+    if compared is None:
+        return False
+    figures = [each for each in compared.changed_metrics if each.old is not None and each.new is not None]
+    return bool(figures) or any(each.status is not Status.NO_BASELINE for each in compared.changed_signals)
+
+
+def _cause_lines(cause: Cause) -> Iterator[str]:
     for old, new in cause.setting:
         yield f"changed: {_from_to(old, new)}"
     edits = [f"edited in {one_line(block)}: {edited(edit)}" for block, edit in cause.edits]

@@ -205,7 +205,7 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
     rows = list(beside.baseline_rows(outcome))
     if rows:
         causes = [
-            f"Run {one_line(run.variant)}: {'; '.join(baselines.cause_lines(run.cause))}"
+            f"Run {one_line(run.variant)}: {'; '.join(baselines.causes(run))}"
             for run in runs
             if run.cause is not None
         ]

@@ -40,8 +40,9 @@ def envelope_faults(texts: Sequence[RequirementText], grids: Grids, *, lenient: 
     made smaller, or what is switched off.
     """
     for text in texts:
-        yield from _of_one(text, {name for name, grid in grids.items() if grid}, lenient=lenient)
-        for name, grid in grids.items() if not lenient else ():
+        asked_of = {name: grid for name, grid in grids.items() if name in text.runs}
+        yield from _of_one(text, asked_of, lenient=lenient)
+        for name, grid in asked_of.items() if not lenient else ():
             asked, points = _asked(text.at_least, name), prod(len(each.values) for each in grid)
             if grid and asked is not None and (points_asked(text.at_least, name).count or 0) > points:
                 message = (
@@ -50,7 +51,8 @@ def envelope_faults(texts: Sequence[RequirementText], grids: Grids, *, lenient: 
                 yield finding("SCN504", message, asked, 'a share of them is written "95 %"')
 
 
-def _of_one(text: RequirementText, spread: set[str], *, lenient: bool) -> Iterator[Diagnostic]:
+def _of_one(text: RequirementText, asked_of: Grids, *, lenient: bool) -> Iterator[Diagnostic]:
+    spread = [name for name, grid in asked_of.items() if grid]
     if text.over is Over.MEAN and not text.metric:
         message = f"{text.id} has no metric, and only a metric has a mean over the points"
         yield finding("SCN504", message, text.span, 'write over = "points", each of them is judged then')
@@ -60,9 +62,10 @@ def _of_one(text: RequirementText, spread: set[str], *, lenient: bool) -> Iterat
     if lenient:
         return
     if text.over in {Over.POINTS, Over.MEAN} and not spread:
-        yield finding("SCN504", f"{text.id} asks for an envelope, and no run has one", text.span, GIVE_ONE)
+        message = f"{text.id} asks for an envelope, and no run that it is asked of has one"
+        yield finding("SCN504", message, text.span, GIVE_ONE)
     elif text.at_least is not None and text.over is not Over.NOMINAL:
-        named = text.at_least.table or dict.fromkeys(spread, text.at_least) or {"base": text.at_least}
+        named = text.at_least.table or dict.fromkeys(spread or list(asked_of)[:1], text.at_least)
         for name, entry in named.items():
             if name not in spread:
                 message = f"{text.id} counts points of the envelope of `{name}`, which has none"

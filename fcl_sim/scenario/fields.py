@@ -215,6 +215,18 @@ def _expectation(value: Any) -> Any:
     return value
 
 
+def _run_names(value: Any) -> list[str]:
+    hint = 'name the runs in quotes, as in runs = ["base", "light"]'
+    if not isinstance(value, list):
+        raise refused("SCN203", f"{{it}} is a list of runs, not {kind(value)}", hint)
+    if not value:
+        raise refused("SCN203", "{it} is empty, so that it would be asked of no run", hint)
+    for each in value:
+        if not isinstance(each, str):
+            raise refused("SCN203", f"{{it}} has {kind(each)} among the names of runs", hint)
+    return value
+
+
 TEXT = {"type": "string"}
 NUMBER = {"type": "number"}
 WRITTEN = {**TEXT, "pattern": QUANTITY}
@@ -297,6 +309,11 @@ Expectation = Annotated[
     Any,
     PlainValidator(_expectation),
     _schema({}, anyOf=[{"const": FAIL}, {"type": "object", "additionalProperties": {"const": FAIL}}]),
+]
+RunNames = Annotated[
+    Any,
+    PlainValidator(_run_names),
+    _schema({"type": "array"}, items=TEXT, minItems=1, examples=[["base", "light"]]),
 ]
 NUMBER_OF_POINTS = [{"type": "integer", "minimum": 1}, {**WRITTEN, "examples": ["95 %"]}]
 PointsAtLeast = Annotated[

@@ -116,13 +116,15 @@ class RequirementText:
     """A requirement as written: numbers still have their own units.
 
     It has either a `statement`, a formula that was read, or a `corridor`, or a
-    `metric` with all that follows it. `expect` names the runs that are expected to miss it;
-    `over` and `at_least` say how it is held to an envelope.
+    `metric` with all that follows it. `runs` are those that it is asked of, `expect`
+    those of them that are expected to miss it; `over` and `at_least` say how it
+    is held to an envelope.
     `span` is where its id stands, `asked` where its bounds, formula or corridor do.
     """
 
     id: str
     text: str
+    runs: frozenset[str]
     expect: frozenset[str]
     span: Span = field(compare=False, repr=False)
     over: Over = Over.BOTH

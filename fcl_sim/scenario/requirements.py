@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
-from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.metric import RESTART_AT, WINDOW, Argument, Kind, Metric
 from fcl_sim.judge.metrics import METRICS
@@ -21,6 +21,10 @@ from fcl_sim.toml.tree import Entry, finding
 from fcl_sim.units import Unit, parse_unit
 
 SIGNAL = "signal"
+RUNS = "runs"
+"""The runs that a requirement is asked of."""
+BY_RUN = ("expect", "at_least")
+"""What may be said by run."""
 KINDS = ("metric", "formula", "corridor")
 """What a requirement asks; it has one of them."""
 ASKED = ("formula", "corridor", "min", "max")
@@ -64,8 +68,8 @@ def _text(
 ) -> RequirementText | None:
     identity, words = entry.get("id"), entry.get("text")
     metric, formula, corridor = (entry.get(name) for name in KINDS)
-    for name in ("expect", "at_least"):
-        faults += _unknown_runs(entry.get(name), variants)
+    runs = _asked_runs(entry.get(RUNS), variants)
+    faults += _run_faults(entry, variants, runs)
     faults += _kind_faults(entry)
     faults += _relative_faults(entry.get("relative_to"), variants)
     found = _measured(entry, metric, faults) if metric is not None else None
@@ -80,7 +84,8 @@ def _text(
     return RequirementText(
         id=str(identity.value),
         text=str(words.value),
-        expect=_expected(entry.get("expect"), variants),
+        runs=runs,
+        expect=_expected(entry.get("expect"), variants) & runs,
         span=identity.span,
         asked=tuple(each.span for name in ASKED if (each := entry.get(name)) is not None),
         over=over_of(entry.get("over")),
@@ -134,19 +139,38 @@ def _twice(text: RequirementText, before: Sequence[RequirementText]) -> Iterator
             yield Diagnostic(code="SCN407", message=f"two requirements are called `{text.id}`", places=places)
 
 
+def _asked_runs(runs: Entry | None, variants: Sequence[str]) -> frozenset[str]:
+    """Return the runs that a requirement is asked of: all unless it names some."""
+    named = frozenset(each.value for each in runs.items if isinstance(each.value, str)) if runs else None
+    return frozenset(variants) if named is None else named & frozenset(variants)
+
+
 def _expected(expect: Entry | None, variants: Sequence[str]) -> frozenset[str]:
     if expect is None:
         return frozenset()
     return frozenset(expect.table if expect.is_table else variants)
 
 
-def _unknown_runs(by_run: Entry | None, variants: Sequence[str]) -> Iterator[Diagnostic]:
-    """Yield the runs that a table names and that do not exist."""
-    for name, entry in by_run.table.items() if by_run else ():
-        if name not in variants:
-            near = nearest(name, variants)
-            hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
-            yield finding("SCN405", f"there is no variant called `{name}`", entry.key, hint)
+def _run_faults(entry: Entry, variants: Sequence[str], asked: Container[str]) -> Iterator[Diagnostic]:
+    """Yield the runs that are named and do not exist, and those that are named though nothing is asked."""
+    runs = entry.get(RUNS)
+    for each in runs.items if runs else ():
+        if isinstance(each.value, str) and each.value not in variants:
+            yield _unknown_run(each.value, each, variants)
+    for key in BY_RUN:
+        by_run = entry.get(key)
+        for name, each in by_run.table.items() if by_run else ():
+            if name not in variants:
+                yield _unknown_run(name, each.key, variants)
+            elif name not in asked:
+                message = f"`{key}` names the run `{name}`, of which this is not asked"
+                yield finding("SCN406", message, each.key, f"leave it out, or name it in `{RUNS}`, too")
+
+
+def _unknown_run(name: str, where: Entry | Span, variants: Sequence[str]) -> Diagnostic:
+    near = nearest(name, variants)
+    hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
+    return finding("SCN405", f"there is no variant called `{name}`", where, hint)
 
 
 def _relative(entry: Entry | None) -> Relative | None:
@@ -159,9 +183,7 @@ def _relative(entry: Entry | None) -> Relative | None:
 def _relative_faults(entry: Entry | None, variants: Sequence[str]) -> Iterator[Diagnostic]:
     variant = entry.get("variant") if entry else None
     if variant is not None and isinstance(variant.value, str) and variant.value not in variants:
-        near = nearest(variant.value, variants)
-        hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
-        yield finding("SCN405", f"there is no variant called `{variant.value}`", variant, hint)
+        yield _unknown_run(variant.value, variant, variants)
 
 
 def _metric_faults(metric: Entry, requirement: Entry) -> Iterator[Diagnostic]:
@@ -208,7 +230,8 @@ def asked_of(
     texts: Sequence[RequirementText], variant: str, asked_over: Container[Over] = NOMINAL_RUN
 ) -> list[RequirementText]:
     """Return what is asked of the run of a variant: one that is relative to that run itself is not."""
-    others = [each for each in texts if each.relative_to is None or each.relative_to.variant != variant]
+    asked = [each for each in texts if variant in each.runs]
+    others = [each for each in asked if each.relative_to is None or each.relative_to.variant != variant]
     return [each for each in others if each.over in asked_over]
 
 
@@ -220,8 +243,8 @@ def requirements_for(
 ) -> tuple[Requirement, ...]:
     """Return the requirements on the run of a variant, in the units of its signals.
 
-    One that is relative to that run itself is none; nor is one over something
-    else than is `asked_over`.
+    One that is relative to that run itself is none; nor is one that is asked of
+    other runs, or over something else than is `asked_over`.
 
     `units` are those of the run or the recorded trace.
     InputFault where a signal does not exist or a unit does not fit.

@@ -36,6 +36,7 @@ from fcl_sim.scenario.fields import (
     Ranged,
     RestartKind,
     RoundingName,
+    RunNames,
     Scaled,
     SchemeName,
     Text,
@@ -181,6 +182,7 @@ class RequirementTable(Table):
     relative_to: RelativeTable | None = Field(None, description="bound the metric beside that of a variant")
     min: Quantified = Field(None, description="smallest allowed value")
     max: Quantified = Field(None, description="largest allowed value")
+    runs: RunNames = Field(None, description='names of the runs it is asked of, "base" among them; else all')
     expect: Expectation = Field(None, description='"fail", or { VARIANT = "fail" }: the miss is expected')
     over: OverName = Field(
         Over.BOTH, description="the nominal run, each of the points of its envelope, their mean, or both"
@@ -248,7 +250,7 @@ class ScenarioFile(Table):
     vary: Vary = Field(None, description="envelope: lists of values by key, or { from, to, count }")
     variants: dict[Name, dict[str, Any]] = Field({}, description="further runs, each by what differs")
     baseline: BaselineTable = Field(default_factory=BaselineTable, description="what its baselines keep")
-    require: list[RequirementTable] = Field([], description="what is required of every run")
+    require: list[RequirementTable] = Field([], description="what is required of the runs")
 
 
 @cache

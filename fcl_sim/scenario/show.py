@@ -1,6 +1,6 @@
 """A scenario as text: what was read, each run spelled out or told apart from the base, the requirements."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from math import prod
 from textwrap import wrap
 from typing import Any
@@ -41,7 +41,7 @@ def _lines(scenario: Scenario) -> Iterator[str]:
     yield ""
     yield "requirements"
     for requirement in scenario.requirements:
-        yield from _requirement(requirement)
+        yield from _requirement(requirement, list(scenario.variants))
 
 
 def _run(setup: Setup) -> Iterator[str]:
@@ -121,8 +121,10 @@ def _inline(value: Any) -> str:
     return str(value)
 
 
-def _requirement(requirement: RequirementText) -> Iterator[str]:
+def _requirement(requirement: RequirementText, runs: Sequence[str]) -> Iterator[str]:
     yield f"  {requirement.id}: {_asked(requirement)}"
+    if len(requirement.runs) < len(runs):
+        yield f"    asked of: {', '.join(each for each in runs if each in requirement.runs)}"
     if requirement.over is not Over.BOTH:
         yield f"    over: {requirement.over}"
     if requirement.at_least is not None:

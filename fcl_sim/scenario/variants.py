@@ -9,7 +9,8 @@ from fcl_sim.scenario.vary import VARY, varied
 from fcl_sim.toml.tree import Entry, finding, overlaid
 
 SHARED: Mapping[str, str] = {
-    "require": 'all runs share the requirements; name those that miss one: expect = { NAME = "fail" }',
+    "require": 'a requirement names the runs it is asked of, runs = ["NAME"], and those that miss it, '
+    'expect = { NAME = "fail" }',
     "variants": "variants stand side by side, under [variants]",
 }
 """What a variant cannot change, and why."""

@@ -21,7 +21,7 @@ from fcl_sim.loop.wiring import wire
 from fcl_sim.scenario.binder import plant_of, requirements
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
-from fcl_sim.scenario.requirements import Units
+from fcl_sim.scenario.requirements import Units, asked_of
 from fcl_sim.testbench.outcome import Against, Outcome, Prepared, Run
 from fcl_sim.testbench.preparing import prepare
 from fcl_sim.verify.cause import cause_of, with_rule_bases
@@ -144,12 +144,12 @@ def judge_trace(trace: Trace, scenario: Scenario, variant: str = BASE) -> tuple[
     unit that does not fit.
     """
     units = Units(trace.units)
-    plant = plant_of(scenario, variant) if _lacks(trace, scenario) else None
+    plant = plant_of(scenario, variant) if _lacks(trace, scenario, variant) else None
     if plant is not None:
         trace = replace(trace, constants={**plant.constants, **trace.constants})
         units = Units(trace.units, plant.constant_units)
     return judge(trace, requirements(scenario, variant, units))
 
 
-def _lacks(trace: Trace, scenario: Scenario) -> bool:
-    return any(name not in trace for each in scenario.requirements for name in each.names)
+def _lacks(trace: Trace, scenario: Scenario, variant: str) -> bool:
+    return any(name not in trace for each in asked_of(scenario.requirements, variant) for name in each.names)

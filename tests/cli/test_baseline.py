@@ -47,6 +47,16 @@ def test_a_baseline_lives_from_none_to_accepted_to_left_to_accepted_again(invoke
     assert run(invoke)[0] == 0
 
 
+def test_a_requirement_that_a_run_is_not_asked_any_more_is_told_and_no_other_cause_is_sought(invoke, bench):
+    edit(bench, SHORT, 'max = "9 deg"', 'max = "9 deg"\nruns = ["other"]\n\n[variants.other]\n')
+    code, told = run(invoke)
+    assert code == 4
+    assert "S-1, peak of crane.sway: it was" in told
+    assert "is not asked any more" in told
+    assert "The run does what it did: its scenario asks something else of it." in told
+    assert "look at the plant's file" not in told
+
+
 def test_a_requirement_that_is_missed_goes_before_a_baseline_that_is_left(invoke, bench):
     edit(bench, FCL, POINT, MOVED)
     edit(bench, SHORT, 'max = "9 deg"', 'max = "0.001 deg"')

@@ -86,6 +86,14 @@ def test_without_an_envelope_nothing_can_be_asked_of_it(written, asked):
     assert "give the scenario a [vary]" in text
 
 
+@pytest.mark.parametrize("asked", ['over = "points"', "at_least = 2"])
+def test_nor_of_a_run_that_has_none_though_others_have(written, asked):
+    grid = '[vary]\n"timing.seed" = [1, 2]\n[variants.alone]\nvary = false\n'
+    text, codes = told(written(grid, LIMIT + 'runs = ["alone"]\n' + asked))
+    assert codes == {"SCN504"}
+    assert "E-1" in text
+
+
 def test_only_a_metric_has_a_mean(written):
     asked = '[[require]]\nid = "F"\ntext = "F"\nformula = "never crane.sway > 4 deg"\nover = "mean"'
     text, codes = told(written('[vary]\n"timing.seed" = [1, 2]', asked))

@@ -227,7 +227,8 @@ scenarios/crane/transfer.toml:43:1: error[SCN201]: `controller` has no key `scan
 scenarios/crane/transfer.toml:32:1: error[SCN301]: the variant `light_load` cannot change `require`
   32 | require = []
      | ^^^^^^^
-  hint: all runs share the requirements; name those that miss one: expect = { NAME = "fail" }""",
+  hint: a requirement names the runs it is asked of, runs = ["NAME"], and those that miss it, \
+expect = { NAME = "fail" }""",
     ),
     (
         "one value under two writings of its key",

@@ -237,7 +237,7 @@ def _changed(rows: Sequence[beside.Beside]) -> Markup:
 def _baselines(outcome: Outcome, runs: Sequence[Run]) -> Markup | None:
     rows = list(beside.baseline_rows(outcome))
     causes = [
-        element("p", f"Run {one_line(run.variant)}: {'; '.join(baselines.cause_lines(run.cause))}")
+        element("p", f"Run {one_line(run.variant)}: {'; '.join(baselines.causes(run))}")
         for run in runs
         if run.cause is not None
     ]
