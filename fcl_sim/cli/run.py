@@ -22,12 +22,15 @@ from fcl_sim.judge.verdict import Status
 from fcl_sim.kernel_cache import cache_folder
 from fcl_sim.loop import trace_file
 from fcl_sim.report import coverage_words, results, summary, writer
+from fcl_sim.report.rules_there import misses
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.overrides import setting
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.cover import LEAST
 from fcl_sim.verify.coverage import Coverage, Item
 
+MOST_MISSES = 5
+"""Misses that are told without `--verbose`."""
 FORMATS = ("text", "json", "github")
 COMPILING = "Compiling the simulator for this machine. It takes a minute or more, and is done once."
 FILE: click.Path = click.Path(path_type=Path, dir_okay=False)
@@ -228,6 +231,7 @@ def _print(outcomes: Sequence[Outcome], *, verbose: bool) -> None:
         print_verdicts(rows, console())
     for ending in summary.endings(outcomes):
         click.echo(ending)
+    _print_misses(list(misses(outcomes)), verbose=verbose)
     if over:
         click.echo()
         print_envelopes(over, console())
@@ -236,6 +240,17 @@ def _print(outcomes: Sequence[Outcome], *, verbose: bool) -> None:
     if outcomes:
         click.echo(summary.sentence(outcomes))
         print_regressions(outcomes)
+
+
+def _print_misses(told: Sequence[str], *, verbose: bool) -> None:
+    """Print how requirements are missed, and what the rules do there: the first few, unless `verbose`."""
+    shown = told if verbose or len(told) <= MOST_MISSES + 1 else told[:MOST_MISSES]
+    if shown:
+        click.echo()
+    for each in shown:
+        click.echo(each)
+    if len(shown) < len(told):
+        click.echo(f"and {len(told) - len(shown)} further misses (-v tells them)")
 
 
 def _write_traces(outcomes: Sequence[Outcome], file: Path) -> list[Path]:

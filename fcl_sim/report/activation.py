@@ -11,11 +11,14 @@ from numpy.typing import NDArray
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.report import lettering, raster, style
+from fcl_sim.report.bands import ABOVE, draw_above
 from fcl_sim.report.canvas import Axes, Figure, Image, Line, Text, joined, span
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
+from fcl_sim.report.rules_there import first_miss, missed_stretches
 from fcl_sim.report.stretches import stretches
+from fcl_sim.report.violations import Interval
 from fcl_sim.report.words import counted, number, one_line
 from fcl_sim.report.words import joined as listed
 from fcl_sim.testbench import Run
@@ -78,7 +81,7 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     record = run.trace.fuzzy[node.name]
     if not len(run.trace.ticks) or not record.rule_labels:
         return []
-    firing = firing_of(node, record, run.trace.time)
+    firing, missed = firing_of(node, record, run.trace.time), missed_stretches(run)
     parted = _parted(firing)
     caption = (
         f"Run {one_line(run.variant)}: the rules of {one_line(node.block.name)} over time, darker the more "
@@ -86,12 +89,16 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     )
     if firing.idle.any():
         caption += " Hatched: no rule fires."
+    if missed:
+        ids = [one_line(each.requirement.id) for each in run.verdicts if each.violation is not None]
+        verb = "is" if len(ids) == 1 else "are"
+        caption += f" Bars above: {listed(ids)} {verb} violated; the cause may lie before."
     return [
         Picture(
             name=numbered(f"{run.variant}-{node.name}-activation", page, len(parted)),
             caption=caption,
-            alt=alt(firing),
-            draw=partial(draw, firing.rows(chosen), idle=firing.idle),
+            alt=alt(firing, missed),
+            draw=partial(draw, firing.rows(chosen), idle=firing.idle, missed=missed),
         )
         for page, chosen in enumerate(parted)
     ]
@@ -141,14 +148,18 @@ def firing_of(node: FuzzyNode, record: FuzzyRecord, time: Values) -> Firing:
     )
 
 
-def draw(firing: Firing, idle: NDArray[np.bool_]) -> Figure:
-    """Return the rows of some rules; `idle` (n,) is where no rule of the block fires."""
+def draw(firing: Firing, idle: NDArray[np.bool_], missed: Sequence[Interval] = ()) -> Figure:
+    """Return the rows of some rules; `idle` (n,) is where no rule of the block fires.
+
+    `missed` are the stretches in which a requirement is violated.
+    """
     rows = _edges(firing)
     height = max(ROW * float(rows[-1]), LEAST_HEIGHT)
     levels = ticks(0.0, 1.0, 4)
     bar = GAP + BAR + room_left(levels, "degree [1]")
-    figure = Figure(TOP + height + room_below("time [s]"))
-    axes = figure.place(LABELS, TOP, style.WIDTH - LABELS - bar, height, "activation")
+    top = TOP + (ABOVE if missed else 0.0)
+    figure = Figure(top + height + room_below("time [s]"))
+    axes = figure.place(LABELS, top, style.WIDTH - LABELS - bar, height, "activation")
     begin, end = float(firing.time[0]), float(firing.time[-1])
     axes.x, axes.y = (begin, end if end > begin else begin + 1.0), (float(rows[-1]), 0.0)
     edges = np.linspace(*axes.x, COLUMNS + 1)
@@ -157,9 +168,10 @@ def draw(firing: Firing, idle: NDArray[np.bool_]) -> Figure:
     for start, stop in stretches(idle):
         across = (float(firing.time[start]), float(firing.time[min(stop, len(idle) - 1)]))
         axes.add(span(axes, across, style.UNDEFINED, hatched=True, z=1.5))
+    draw_above(axes, missed)
     draw_frame(axes, ticks(*axes.x, 9), (), ("time [s]", ""), grid=False)
     _draw_texts(axes, firing, rows)
-    scale = figure.place(style.WIDTH - bar + GAP, TOP, BAR, height, "scale")
+    scale = figure.place(style.WIDTH - bar + GAP, top, BAR, height, "scale")
     scale.add(Image((0.0, 1.0), (0.0, 1.0), raster.scale((1, raster.SHADES), style.FIRING), z=1))
     draw_scale(scale, levels, "degree [1]")
     return figure
@@ -225,8 +237,8 @@ def brief(text: str) -> str:
     return short.replace(" AND ", ", ")
 
 
-def alt(firing: Firing) -> str:
-    """Return how long the rules fire and dominate, in words."""
+def alt(firing: Firing, missed: Sequence[Interval] = ()) -> str:
+    """Return how long the rules fire and dominate, and when a requirement is violated, in words."""
     count = len(firing.time)
     fired = (firing.degrees > 0.0).sum(axis=0)
     led = firing.dominant.sum(axis=0)
@@ -242,11 +254,21 @@ def alt(firing: Firing) -> str:
         parts.append(f"Rules that never fire: {listed(never)}.")
     idle = int(firing.idle.sum())
     parts.append(f"No rule fires in {number(100.0 * idle / count, 3)} % of the samples." if idle else "")
+    if missed:
+        spans = [f"from {number(start)} s to {number(end)} s" for start, end in missed[:SHOWN]]
+        rest = [f"{len(missed) - SHOWN} times more"] if len(missed) > SHOWN else []
+        parts.append(f"A requirement is violated {listed([*spans, *rest])}.")
     return " ".join(each for each in parts if each)
 
 
 def _share(label: str, led: int, count: int) -> str:
     return f"rule {one_line(label)} in {number(100.0 * led / count, 3)} % of the samples"
+
+
+def telling_runs(runs: Sequence[Run]) -> list[Run]:
+    """Return the first run of each rule base, and all that miss a requirement that they are to meet."""
+    users = first_users(runs)
+    return [run for run in runs if any(run is each for each in users) or first_miss(run) is not None]
 
 
 def first_users(runs: Sequence[Run]) -> list[Run]:

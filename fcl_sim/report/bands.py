@@ -25,6 +25,9 @@ LABEL = 2.7
 ROW = 1.1
 """Height in mm of what marks the violations of a run among others."""
 
+ABOVE = 2.2
+"""Height in mm of what marks violations above axes."""
+
 INSTANT = 4.0
 """Width in mm of a band that holds at an instant, at least."""
 
@@ -138,6 +141,14 @@ def draw_violations(axes: Axes, violations: Sequence[Interval]) -> None:
         across = _seen(axes, each, SHORTEST)
         axes.add(span(axes, across, style.VIOLATION, opacity=0.7, z=1.5))
         axes.add(span(axes, across, style.VIOLATION_EDGE, (0.955, 1.0), z=4))
+
+
+def draw_above(axes: Axes, violations: Sequence[Interval]) -> None:
+    """Put a bar above the axes over each violated interval; they take `ABOVE` mm."""
+    low, high = (1.0 + part * ABOVE / axes.height for part in (0.25, 0.85))
+    for each in violations:
+        across = _seen(axes, each, SHORTEST)
+        axes.add(span(axes, across, style.VIOLATION_EDGE, (low, high), z=4, free=True, label="violation"))
 
 
 def strip_of(count: int, height: float) -> float:

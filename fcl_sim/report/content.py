@@ -17,6 +17,7 @@ from fcl_sim.report.pictures import Picture
 from fcl_sim.report.placed import Register, placed
 from fcl_sim.report.requirement_matrix import legend, matrix_rows, untested
 from fcl_sim.report.rule_bases import rule_base_data, rule_bases
+from fcl_sim.report.rules_there import rules_there
 from fcl_sim.report.setting import accuracy, milliseconds, setup_of, unlike_base
 from fcl_sim.report.sign_off import computed, fact, files, sign_off
 from fcl_sim.report.stills import stills_of
@@ -148,7 +149,7 @@ def _sections(outcome: Outcome, register: Register) -> list[Data]:
     for run in runs:
         base = None if run is outcome.base else outcome.base
         parts.append((run_title(outcome, run), run_text(outcome, run), pictures.over_time(run, base)))
-    users = activation.first_users(runs)
+    users = activation.telling_runs(runs)
     fires = [each for run in users for each in activation.over_time(run)]
     parts.append(("Which rules fire when", FIRST_USERS if len(users) < len(runs) else "", fires))
     shown = _on_characteristic(runs)
@@ -220,8 +221,8 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
 
 
 FIRST_USERS = (
-    "Drawn is of each rule base the first run that uses it. How often each rule fired in all runs stands "
-    "with the rule base, under Coverage by the runs."
+    "Drawn is of each rule base the first run that uses it, and each run that misses what it is to meet. "
+    "How often each rule fired in all runs stands with the rule base, under Coverage by the runs."
 )
 CHOSEN = (
     "Drawn are the first run of each rule base, that which misses most requirements, "
@@ -334,5 +335,5 @@ def _result(run: Run, verdict: Verdict) -> Data:
         "run": one_line(run.variant),
         "value": value(verdict),
         "status": summary.shown(verdict),
-        "note": "" if plainly_met else reason,
+        "note": "" if plainly_met else f"{reason} {rules_there(run, verdict)}".rstrip(),
     }

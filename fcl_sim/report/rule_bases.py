@@ -1,7 +1,7 @@
 """The rule bases of a run, each once, and what the report says of them."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -16,11 +16,12 @@ from fcl_sim.report.proved import Proved
 from fcl_sim.report.provenance import InputFile, fuzzy_nodes, rule_base
 from fcl_sim.report.rule_matrix import rule_tables
 from fcl_sim.report.rule_words import conformance, finding_rows
+from fcl_sim.report.rules_there import first_miss, sample_at
 from fcl_sim.report.sign_off import fact
-from fcl_sim.report.telling import step_by_step
+from fcl_sim.report.telling import Miss, step_by_step
 from fcl_sim.report.terms import moves
 from fcl_sim.report.words import exactly, joined, one_line, plain
-from fcl_sim.testbench import Outcome
+from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.coverage import Coverage
 
 Data = dict[str, Any]
@@ -30,13 +31,15 @@ Data = dict[str, Any]
 class Base:
     """A rule base: its file, a block that holds it, the runs that use it by label.
 
-    `time` are the seconds (n,) of the first of these.
+    `time` are the seconds (n,) of the first of these; `missed` is where the first
+    of them violates a requirement, of those that do and should not.
     """
 
     file: InputFile
     node: FuzzyNode
     records: Mapping[str, FuzzyRecord]
     time: Values = field(default_factory=lambda: np.zeros(0))
+    missed: Miss | None = None
 
 
 def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
@@ -50,9 +53,19 @@ def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
                 file = rule_base(outcome, run, node)
                 key = (node.block.function_block.name, file.digest)
                 own = records.setdefault(key, {})
-                found.setdefault(key, Base(file=file, node=node, records=own, time=run.trace.time))
+                base = found.setdefault(key, Base(file=file, node=node, records=own, time=run.trace.time))
                 own[label] = run.trace.fuzzy[node.name]
+                if base.missed is None:
+                    found[key] = replace(base, missed=_missed(run, label))
     return list(found.values())
+
+
+def _missed(run: Run, label: str) -> Miss | None:
+    verdict = first_miss(run)
+    if verdict is None or verdict.violation is None or not len(run.trace.ticks):
+        return None
+    sample = sample_at(run, verdict.violation[0])
+    return Miss(id=verdict.requirement.id, label=label, time=float(run.trace.time[sample]), sample=sample)
 
 
 def rule_base_data(
@@ -83,7 +96,7 @@ def _rule_base(base: Base, anchor: str, register: Register, *, namesakes: bool) 
     surfaces = characteristics.characteristic(
         base.node.block, base.node.units, f"{block.name}-surface", held=held
     )
-    steps = step_by_step(base.node, base.records, base.time)
+    steps = step_by_step(base.node, base.records, base.time, base.missed)
     rules = sum(len(each.rules) for each in block.rule_blocks)
     operators = [_operators(each) for each in block.rule_blocks]
     where = f" in {one_line(base.file.name)}" if namesakes else ""

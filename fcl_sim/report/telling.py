@@ -1,7 +1,7 @@
 """The one scan of a run that shows most of a rule base, step by step."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,20 +18,54 @@ def telling_scan(record: FuzzyRecord) -> int | None:
     return int(fires.argmax()) if fires.size and fires.max() > 0 else None
 
 
-def step_by_step(node: FuzzyNode, records: Mapping[str, FuzzyRecord], time: Values) -> list[Picture]:
-    """Return the inference at the telling scan of the first run; `time` (n,) are the seconds of that run.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Miss:
+    """Where a run first violates a requirement that it is to meet: its label, the time in s, the sample."""
 
-    Nothing where no rule fires, or in INT, whose steps are others.
+    id: str
+    label: str
+    time: float
+    sample: int
+
+
+def step_by_step(
+    node: FuzzyNode, records: Mapping[str, FuzzyRecord], time: Values, missed: Miss | None = None
+) -> list[Picture]:
+    """Return the inference where a requirement is `missed`, else at the telling scan of the first run.
+
+    `time` (n,) are the seconds of the first run. Nothing in INT, whose steps are
+    others, or where no rule fires and nothing is missed.
     """
-    label, record = next(iter(records.items()), ("", None))
-    sample = None if record is None or node.in_int else telling_scan(record)
-    if record is None or sample is None:
+    chosen = None if node.in_int else _miss(records, missed) or _telling(records, time)
+    if chosen is None:
         return []
+    record, sample, where = chosen
     point = dict(zip(record.input_names, record.inputs[sample].tolist(), strict=True))
     explanation = node.block.explain(**point)
-    fired = counted(int((record.degrees[sample] > 0.0).sum()), "rule fires", "rules fire")
-    at = with_unit(float(time[sample]), "s", 9)
-    where = f"Run {one_line(label)} at {at}, the first scan at which the most rules fire at a time: {fired}. "
+    count = int((record.degrees[sample] > 0.0).sum())
+    fired = counted(count, "rule fires", "rules fire") if count else "no rule fires"
     stem = f"{node.block.name}-steps"
     shown = pictures(node.block.function_block, explanation, node.units, stem=stem)
-    return [replace(each, caption=where + each.caption) for each in shown]
+    return [replace(each, caption=f"{where}: {fired}. {each.caption}") for each in shown]
+
+
+Chosen = tuple[FuzzyRecord, int, str]
+"""A run, one of its samples, and in words which that is."""
+
+
+def _miss(records: Mapping[str, FuzzyRecord], missed: Miss | None) -> Chosen | None:
+    if missed is None or not np.isfinite(records[missed.label].inputs[missed.sample]).all():
+        return None
+    at = with_unit(missed.time, "s", 9)
+    where = f"Run {one_line(missed.label)} at {at}, where {one_line(missed.id)} is first violated"
+    return records[missed.label], missed.sample, where
+
+
+def _telling(records: Mapping[str, FuzzyRecord], time: Values) -> Chosen | None:
+    label, record = next(iter(records.items()), ("", None))
+    sample = None if record is None else telling_scan(record)
+    if record is None or sample is None:
+        return None
+    at = with_unit(float(time[sample]), "s", 9)
+    where = f"Run {one_line(label)} at {at}, the first scan at which the most rules fire at a time"
+    return record, sample, where

@@ -1,6 +1,6 @@
 """Where a run violates what is required of it: all of it, as far as a figure can show it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,13 +33,18 @@ def violations(trace: Trace, verdict: Verdict, names: Sequence[str]) -> list[Int
 
 def all_violations(trace: Trace, verdicts: Sequence[Verdict], names: Sequence[str]) -> list[Interval]:
     """Return where a run violates any requirement, seen in one signal: stretches that do not overlap."""
-    merged: list[Interval] = []
-    for start, end in sorted(each for verdict in verdicts for each in violations(trace, verdict, names)):
-        if merged and start <= merged[-1][1]:
-            merged[-1] = (merged[-1][0], max(merged[-1][1], end))
+    return merged(each for verdict in verdicts for each in violations(trace, verdict, names))
+
+
+def merged(intervals: Iterable[Interval]) -> list[Interval]:
+    """Return stretches that do not overlap and cover what others do, in order of time."""
+    found: list[Interval] = []
+    for start, end in sorted(intervals):
+        if found and start <= found[-1][1]:
+            found[-1] = (found[-1][0], max(found[-1][1], end))
         else:
-            merged.append((start, end))
-    return merged
+            found.append((start, end))
+    return found
 
 
 def _outside(trace: Trace, verdict: Verdict) -> NDArray[np.bool_] | None:

@@ -47,11 +47,28 @@ def test_of_several_scenarios_each_run_is_a_line_and_what_is_not_green_is_told(i
         ["crane/other", "base", "0", "of", "1", "FAIL"],
         ["crane/short", "base", "1", "of", "1", "PASS"],
     ]
-    told = [line for line in brief if "S-1" in line]
-    assert len(told) == 1
-    assert told[0].startswith("crane/other")
+    row, how = [line for line in brief if "S-1" in line]
+    assert row.startswith("crane/other")
+    assert how.startswith("crane/other base, S-1: The largest magnitude of crane.sway is ")
+    assert re.search(r"first violated from 0\.\d+ s to .* At 0\.\d+\ss rules? .* power = ", how)
     whole = lines(invoke("run", "--no-report", "-v").stdout)
-    assert [line.split()[-1] for line in whole if "S-1" in line] == ["FAIL", "PASS"]
+    assert [line.split()[-1] for line in whole if " S-1 " in line] == ["FAIL", "PASS"]
+
+
+def test_of_many_misses_the_first_are_told_and_with_v_all(invoke, bench):
+    short = bench / "scenarios" / "crane" / "short.toml"
+    tight = short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"')
+    variants = "".join(
+        f'[variants.v{each}]\n"plant.parameters.load_mass" = "2{each} t"\n' for each in range(7)
+    )
+    short.write_text(f"{tight}\n{variants}")
+
+    def told(*more):
+        return [line for line in lines(invoke("run", "--no-report", *more).stdout) if ", S-1: " in line]
+
+    assert len(told()) == 5
+    assert "and 3 further misses (-v tells them)" in invoke("run", "--no-report").stdout
+    assert len(told("-v")) == 8
 
 
 def test_overrides_reach_the_scenario(invoke, bench):

@@ -1,0 +1,146 @@
+"""Where a requirement is missed, it is told which rules fire there, what they give, and it is drawn."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from fcl_sim.judge.verdict import Status
+from fcl_sim.report import activation
+from fcl_sim.report.activation import telling_runs
+from fcl_sim.report.canvas import Shape
+from fcl_sim.report.rule_bases import rule_bases
+from fcl_sim.report.rules_there import first_miss, missed_stretches, misses, rules_there
+from fcl_sim.report.telling import step_by_step
+from fcl_sim.report.words import NO_BREAK
+from tests.report.synthetic import crane, of_all_rules, outcome, run, trace, verdict
+
+SCAN = 0.5
+
+
+def at(seconds):
+    return round(seconds / SCAN)
+
+
+@pytest.fixture
+def missing(tmp_path):
+    """Return a run that misses a requirement from 35 s on, with the degrees that its six rules have there."""
+
+    def made(degrees, variant="base", **given):
+        found = of_all_rules(trace("swings"), crane())
+        record = found.fuzzy["controller.rules"]
+        record.degrees[:] = 0.0
+        record.degrees[at(35.0)] = degrees
+        record.outputs[at(35.0)] = 12.5
+        judged = given.pop("verdicts", (verdict(Status.FAIL, None),))
+        return replace(run(tmp_path, variant, "swings", verdicts=judged, **given), trace=found)
+
+    return made
+
+
+def told(made):
+    return rules_there(made, made.verdicts[0]).replace(NO_BREAK, " ")
+
+
+def test_the_rules_that_fire_there_stand_in_the_order_of_their_degrees(missing):
+    assert (
+        told(missing([0.2, 0.0, 0.7, 0, 0, 0])) == "At 35 s rules 3 (0.7) and 1 (0.2) fire, power = 12.5 kW."
+    )
+
+
+def test_a_lone_rule_is_one(missing):
+    assert told(missing([0, 0, 0, 0, 0, 1.0])) == "At 35 s rule 6 (1) fires, power = 12.5 kW."
+
+
+def test_that_none_fires_is_told(missing):
+    assert told(missing([0.0] * 6)) == "At 35 s no rule fires, power = 12.5 kW."
+
+
+def test_of_many_the_strongest_are_named_and_the_others_counted(missing):
+    assert "rules 6 (0.6), 5 (0.5), 4 (0.4), 3 (0.3) and 2 more fire" in told(
+        missing([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
+    )
+
+
+def test_what_is_met_or_has_no_time_says_nothing(missing):
+    met = missing([1.0] * 6, verdicts=(verdict(),))
+    timeless = missing([1.0] * 6, verdicts=(replace(verdict(Status.FAIL, None), violation=None),))
+    assert (told(met), told(timeless)) == ("", "")
+
+
+def test_a_run_without_a_scan_says_nothing(missing):
+    made = missing([1.0] * 6)
+    empty = replace(made.trace, ticks=made.trace.ticks[:0], values=made.trace.values[:0])
+    assert told(replace(made, trace=empty)) == ""
+
+
+def test_an_expected_miss_is_none_to_be_told_of_first(missing, tmp_path):
+    meant = missing([1.0] * 6, verdicts=(verdict(Status.FAIL, None, expect_fail=True),))
+    assert first_miss(meant) is None
+    assert list(misses([outcome(tmp_path, meant)])) == []
+
+
+def test_a_miss_names_scenario_run_and_requirement_how_it_is_missed_and_what_the_rules_do(missing, tmp_path):
+    (line,) = misses([outcome(tmp_path, missing([1.0, 0, 0, 0, 0, 0]))])
+    assert line.replace(NO_BREAK, " ") == (
+        "crane/transfer base, CR-1: crane.distance does not settle. "
+        "At 35 s rule 1 (1) fires, power = 12.5 kW."
+    )
+
+
+def test_the_first_of_several_misses_is_the_first_in_time(missing):
+    early = replace(verdict(Status.FAIL, None, id="CR-9"), violation=(7.0, 8.0))
+    made = missing([1.0] * 6, verdicts=(verdict(Status.FAIL, None), early))
+    assert first_miss(made).requirement.id == "CR-9"
+
+
+def test_a_run_that_misses_has_its_rules_drawn_beside_the_first_user(missing, tmp_path):
+    users = [run(tmp_path), run(tmp_path, "far"), missing([1.0] * 6, "light")]
+    assert [each.variant for each in telling_runs(users)] == ["base", "light"]
+
+
+def test_a_bar_stands_above_the_rules_over_each_stretch_that_is_violated(missing):
+    wide = verdict(Status.FAIL, None)
+    wide = replace(wide, band=replace(wide.band, low=-10.0, high=10.0), violation=(36.0, 36.5))
+    made = missing([1.0] * 6, verdicts=(wide,))
+    (node,) = made.diagram.nodes
+    firing = activation.firing_of(node, made.trace.fuzzy["controller.rules"], made.trace.time)
+    violated = missed_stretches(made)
+    (axes, _) = activation.draw(firing, firing.idle, violated).axes
+    bars = axes.of(Shape, "violation")
+    assert len(bars) == len(violated) > 1
+    assert all(min(each.y) < axes.y[1] for each in bars)  # rows are counted downwards
+    distance = made.trace["crane.distance"]
+    for time, value in zip(made.trace.time, distance, strict=True):
+        is_under_a_bar = any(start <= time <= end for start, end in violated)
+        assert is_under_a_bar == (time >= 35.0 and abs(value) > 10.0)
+    assert "A requirement is violated from 35.5 s to 40 s, from 42 s" in activation.alt(firing, violated)
+    assert "CR-1 is violated" in activation.over_time(made)[0].caption
+
+
+def test_the_scan_step_by_step_is_that_of_the_miss(missing, tmp_path):
+    made = missing([0.0, 0, 0, 0, 0, 1.0], "light")
+    (base,) = rule_bases([outcome(tmp_path, run(tmp_path), made)])
+    first, *_ = step_by_step(base.node, base.records, base.time, base.missed)
+    assert first.caption.replace(NO_BREAK, " ").startswith(
+        "Run light at 35 s, where CR-1 is first violated: 1 rule fires. Inference of crane"
+    )
+
+
+def test_that_no_rule_fires_where_it_is_missed_can_be_drawn(missing, tmp_path):
+    made = missing([0.0] * 6)
+    made.trace.fuzzy["controller.rules"].inputs[at(35.0)] = (-4.0, -50.0)
+    (base,) = rule_bases([outcome(tmp_path, made)])
+    pictures = step_by_step(base.node, base.records, base.time, base.missed)
+    assert "first violated: no rule fires." in pictures[0].caption
+    assert all(each.draw().axes for each in pictures)
+
+
+def test_where_an_input_is_not_a_number_another_scan_is_shown(missing, tmp_path):
+    made = missing([1.0] * 6)
+    record = made.trace.fuzzy["controller.rules"]
+    record.inputs[at(35.0)] = np.nan
+    record.degrees[3, 0] = 1.0
+    (base,) = rule_bases([outcome(tmp_path, made)])
+    first, *_ = step_by_step(base.node, base.records, base.time, base.missed)
+    assert "the first scan at which the most rules fire" in first.caption
