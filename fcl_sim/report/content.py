@@ -335,5 +335,6 @@ def _result(run: Run, verdict: Verdict) -> Data:
         "run": one_line(run.variant),
         "value": value(verdict),
         "status": summary.shown(verdict),
+        "from": None if verdict.violation is None else verdict.violation[0],
         "note": "" if plainly_met else f"{reason} {rules_there(run, verdict)}".rstrip(),
     }

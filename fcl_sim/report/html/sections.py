@@ -11,7 +11,7 @@ from fcl_sim.report.envelopes import envelope_rows, envelope_text
 from fcl_sim.report.html.markup import Child, Markup, element, joined, prose
 from fcl_sim.report.rule_bases import Base
 from fcl_sim.report.setting import setup_of
-from fcl_sim.report.words import one_line, plain
+from fcl_sim.report.words import one_line, plain, with_unit
 from fcl_sim.testbench import Outcome, Run
 from fcl_sim.verify.coverage import Coverage
 
@@ -172,11 +172,29 @@ def _requirement(row: dict[str, Any]) -> Markup:
                 "td",
                 badge(result["status"]),
                 element("small", prose(result["note"])) if result["note"] else None,
+                _jump(result),
             ),
         )
         for at, result in enumerate(row["results"])
     ]
     return element("tbody", lines)
+
+
+def _jump(result: dict[str, Any]) -> Markup | None:
+    """Return what shows the instant at which a run first violates a requirement; it needs the script."""
+    time = result["from"]
+    if time is None:
+        return None
+    at, run = with_unit(time, "s", 9), result["run"]
+    return element(
+        "button",
+        f"Show {at}",
+        type="button",
+        class_="jump",
+        data_run=run,
+        data_time=repr(time),
+        aria_label=f"Show {run} at {at}",
+    )
 
 
 def _further(outcome: Outcome, runs: Sequence[Run]) -> Markup:

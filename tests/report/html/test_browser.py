@@ -239,6 +239,27 @@ def test_what_is_asked_of_one_instant_and_missed_there_is_seen(tab, tmp_path):
     assert min(bars) > -0.5
 
 
+def test_the_instant_of_a_miss_is_shown_with_its_run_and_the_slider_goes_on_from_there(page):
+    jumps = "[...document.querySelectorAll('.jump')]"
+    evil = f"{jumps}.find((each) => each.dataset.run.includes('#panic'))"
+    page.value(f"{of(FIRST, '.zoom button')}.click()")  # a window that does not hold it
+    page.value(f"{evil}.click()")
+    assert page.value(f"{evil}.textContent").replace("\N{NO-BREAK SPACE}", " ") == "Show 35 s"
+    assert text(page, FIRST, "output") == "35.0 s"
+    chosen = page.value(f"{of(FIRST, '.details-of select')}.selectedOptions[0].textContent")
+    assert "#panic" in chosen
+    assert page.value(f"document.activeElement === {of(FIRST, 'input[type=range]')}")
+    cursor = page.value(f"{of(FIRST, '.cursor')}.getBoundingClientRect().x")
+    plot = of(FIRST, ".lane-plot") + ".getBoundingClientRect()"
+    assert page.value(f"{plot}.left") < cursor < page.value(f"{plot}.right")
+    assert page.said == []
+
+
+def test_of_what_is_met_no_instant_is_offered(page):
+    runs = page.value("[...document.querySelectorAll('.jump')].map((each) => each.dataset.run)")
+    assert len(runs) == 1
+
+
 def test_an_axis_upwards_has_two_numbers_at_least(tab, tmp_path):
     made = run(tmp_path)
     page = tmp_path / "report.html"

@@ -139,6 +139,19 @@ class Explorer {
     this.point();
   }
 
+  /** Show a run at a time, as where it first violates a requirement. */
+  visit(name, time) {
+    const index = this.scenario.runs.findIndex((run) => run.name === name);
+    if (index < 0) return;
+    if (this.playing) this.toggle();
+    const [from, to] = this.state.window;
+    if (time < from || time > to) this.zoomTo(0, Infinity);
+    this.choose(index);
+    this.setTime(time);
+    this.place.scrollIntoView({ block: "start" });
+    this.controls.slider.focus({ preventScroll: true });
+  }
+
   hover(time) {
     if (this.playing) return;
     this.state.hovered = time === null ? null : this.snapped(time);

@@ -64,6 +64,17 @@ function follow() {
   };
 }
 
+/** Let a click on the instant of a miss show it. */
+function listen() {
+  document.addEventListener("click", (event) => {
+    const button = event.target.closest(".jump");
+    if (!button) return;
+    const { name } = button.closest(".scenario").querySelector(".explorer").dataset;
+    const explorer = explorers.get(name);
+    if (explorer) explorer.visit(button.dataset.run, Number(button.dataset.time));
+  });
+}
+
 async function begin() {
   if (typeof DecompressionStream === "undefined") {
     for (const place of document.querySelectorAll(".explorer")) {
@@ -71,6 +82,7 @@ async function begin() {
     }
     return;
   }
+  listen();
   await drawAll(new Map());
   if ("live" in document.body.dataset) follow();
 }
