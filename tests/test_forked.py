@@ -183,7 +183,16 @@ def test_no_more_work_than_told_is_under_way_and_the_heaviest_goes_first(tmp_pat
     assert copies.free()
 
 
+@pytest.fixture
+def interruptible():
+    """Let SIGINT interrupt, which a process that a shell has put into the background ignores."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @copied
+@pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_in_the_midst_of_a_fork_is_not_lost():
     os.register_at_fork(after_in_parent=partial(interrupt_once, [signal.SIGINT]))
     with pytest.raises(KeyboardInterrupt):

@@ -15,8 +15,9 @@ from fcl_sim.testbench import Outcome
 def print_regressions(outcomes: Sequence[Outcome]) -> None:
     """Print each run that leaves its baseline, with what left it, and those that have none."""
     for outcome in outcomes:
+        before: baselines.Told = {}
         for run in outcome.variants.values():
-            told = list(baselines.lines(run))
+            told = [*baselines.lines(run), *baselines.causes(run, before)]
             if told and run.compared and run.compared.baseline:
                 accepted = run.compared.baseline
                 click.echo(f"\n{outcome.scenario.name} {run.variant} beside its baseline of {accepted.date}:")

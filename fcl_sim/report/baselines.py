@@ -1,6 +1,6 @@
 """A run beside its baseline, in words: what changed, how far, and why."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from fcl_sim.judge import wording
 from fcl_sim.judge.baseline import Baseline, Comparison, Figure, MetricChange, SignalChange
@@ -12,14 +12,13 @@ from fcl_sim.verify.edits import Edit
 
 
 def lines(run: Run) -> Iterator[str]:
-    """Yield what changed since a run's baseline, a line each; nothing where all is within its tolerance."""
+    """Yield what left a run's baseline, a line each; nothing where all is within its tolerance."""
     compared = run.compared
     if compared is None or compared.baseline is None or compared.status is Status.PASS:
         return
     for metric in compared.changed_metrics:
         yield metric_line(metric)
     yield from _some([signal_line(each) for each in compared.changed_signals], "signals", MOST_SIGNALS)
-    yield from causes(run)
 
 
 def accepted(baseline: Baseline | None) -> str:
@@ -50,8 +49,7 @@ def kept(baseline: Baseline) -> str:
 
 def metric_line(change: MetricChange) -> str:
     """Return a figure that changed, with its reference: `25.4 s → 27.1 s (+1.7 s, allowed ±0.08 s)`."""
-    about = one_line(change.about)
-    name = f"{one_line(change.id)}, {about if len(about) <= LONGEST else about[: LONGEST - 1] + ELLIPSIS}"
+    name = metric_about(change)
     if change.new is None:
         return f"{name}: it was {told(change.old, change.unit)}, and is not asked any more"
     if change.old is None:
@@ -64,6 +62,12 @@ def metric_line(change: MetricChange) -> str:
     return f"{text} ({sign}{moved}, allowed ±{allowed})"
 
 
+def metric_about(change: MetricChange) -> str:
+    """Return what a figure is of: the requirement, and what it measures, cut where it is long."""
+    about = one_line(change.about)
+    return f"{one_line(change.id)}, {about if len(about) <= LONGEST else about[: LONGEST - 1] + ELLIPSIS}"
+
+
 LONGEST, ELLIPSIS = 60, "\N{HORIZONTAL ELLIPSIS}"
 """Characters of what is measured; the whole formula stands in the baseline."""
 
@@ -71,15 +75,47 @@ MOST_EDITS, MOST_SIGNALS = 6, 2
 """Edits or changed rules, and signals, that are told; of more, how many there are."""
 
 
-def causes(run: Run) -> Iterator[str]:
-    """Yield why a run left its baseline, where it did: what was edited, and the first scan that told."""
+Told = dict[Cause, str]
+"""What changed in the runs that were told of before: the first of them that it changed in."""
+
+
+def causes(run: Run, before: Told) -> Iterator[str]:
+    """Yield why a run left its baseline, where it did: what was edited, and the first scan that told.
+
+    What changed is told once, and referred to by the runs after that, which are noted in `before`.
+    """
     cause = run.cause
     if cause is None:
         return
-    if not (cause.setting or cause.edits) and not _does_otherwise(run.compared):
-        yield "The run does what it did: its scenario asks something else of it."
+    if not (cause.setting or cause.edits):
+        yield (
+            "Rule bases, wiring and parameters are what they were: look at the plant's file, "
+            "at the tables that blocks read, and at the version of fcl_sim."
+            if _does_otherwise(run.compared)
+            else "The run does what it did: its scenario asks something else of it."
+        )
+        return
+    first = before.setdefault(Cause(setting=cause.setting, edits=cause.edits), run.variant)
+    if first == run.variant:
+        yield from _changed(cause)
     else:
-        yield from _cause_lines(cause)
+        yield f"changed as in run {one_line(first)}"
+    yield from _divergence_lines(cause)
+
+
+def cause_texts(runs: Iterable[Run]) -> Iterator[str]:
+    """Yield why runs left their baselines, runs of one reason together, each in sentences."""
+    by_text: dict[str, list[str]] = {}
+    before: Told = {}
+    for run in runs:
+        told = list(causes(run, before))
+        parts = "; ".join(each for each in told if not each.endswith("."))
+        sentences = [each for each in told if each.endswith(".")]
+        text = " ".join([f"{parts}."] * bool(parts) + sentences)
+        if text:
+            by_text.setdefault(text, []).append(one_line(run.variant))
+    for text, names in by_text.items():
+        yield f"{'Run' if len(names) == 1 else 'Runs'} {joined(names)}: {text}"
 
 
 def _does_otherwise(compared: Comparison | None) -> bool:
@@ -90,24 +126,24 @@ def _does_otherwise(compared: Comparison | None) -> bool:
     return bool(figures) or any(each.status is not Status.NO_BASELINE for each in compared.changed_signals)
 
 
-def _cause_lines(cause: Cause) -> Iterator[str]:
+def _changed(cause: Cause) -> Iterator[str]:
     for old, new in cause.setting:
         yield f"changed: {_from_to(old, new)}"
     edits = [f"edited in {one_line(block)}: {edited(edit)}" for block, edit in cause.edits]
     yield from _some(edits, "edits")
+
+
+def _divergence_lines(cause: Cause) -> Iterator[str]:
+    """Yield where what changed told first, and whether it is the whole reason."""
     if cause.divergence is not None:
-        yield from _divergence(cause.divergence)
+        yield from _divergence(cause.divergence, "by the edits " if cause.setting else "")
     if cause.is_whole:
         yield "With the former rule base the run keeps its baseline: these edits are the whole reason."
     elif cause.edits and cause.divergence is None:
         yield "The former rule base does the same at every scan of this run: the reason lies elsewhere."
     elif cause.edits:
-        yield "With the former rule base the run does not keep its baseline either: there is another reason."
-    elif not cause.setting:
-        yield (
-            "Rule bases, wiring and parameters are what they were: look at the plant's file, "
-            "at the tables that blocks read, and at the version of fcl_sim."
-        )
+        why = "what else changed tells, too" if cause.setting else "there is another reason"
+        yield f"With the former rule base the run does not keep its baseline either: {why}."
 
 
 def edited(edit: Edit) -> str:
@@ -122,10 +158,11 @@ def _from_to(old: str, new: str) -> str:
     return f"{one_line(old)} is gone" if not new else f"{one_line(old)} → {one_line(new)}"
 
 
-def _divergence(found: Divergence) -> Iterator[str]:
+def _divergence(found: Divergence, by: str) -> Iterator[str]:
     old, new = with_unit(found.old, ""), with_unit(found.new, found.unit)
-    where = f"first diverging scan: {exactly(found.time, 's')}, {one_line(found.signal)} {old} → {new}"
-    yield where
+    yield f"first diverging scan {by}".rstrip() + (
+        f": {exactly(found.time, 's')}, {one_line(found.signal)} {old} → {new}"
+    )
     yield from _some([_rule(each) for each in found.rules], "rules")
 
 
@@ -165,7 +202,7 @@ def signal_line(change: SignalChange) -> str:
     farthest = with_unit(change.farthest, change.unit)
     return (
         f"{name}: {value} at {exactly(change.time, 's')}, where {word} {bound} is allowed; "
-        f"farthest beyond: {farthest}"
+        f"up to {farthest} beyond"
     )
 
 

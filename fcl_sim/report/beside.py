@@ -51,7 +51,7 @@ def baseline_rows(outcome: Outcome) -> Iterator[Beside]:
         for each in compared.changed_metrics:
             yield Beside(
                 run=run.variant,
-                about=f"{each.id}, {each.about}",
+                about=baselines.metric_about(each),
                 old=baselines.told(each.old, each.unit),
                 new=baselines.told(each.new, each.unit),
                 change=_signed(each.change, each.unit),

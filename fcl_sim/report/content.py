@@ -195,9 +195,20 @@ def _section(
         "title": one_line(title),
         "text": text,
         "rows": [],
-        "changes": [{key: one_line(each) for key, each in asdict(row).items()} for row in changes],
+        "changes": _by_run(changes),
         "pictures": [placed(each, outcome.scenario.name, register) for each in shown],
     }
+
+
+def _by_run(changes: Sequence[beside.Beside]) -> list[Data]:
+    """Return what changed, run by run."""
+    return [
+        {
+            "run": one_line(run),
+            "rows": [{key: one_line(each) for key, each in asdict(row).items()} for row in rows],
+        }
+        for run, rows in groupby(changes, key=lambda row: row.run)
+    ]
 
 
 def _beside(outcome: Outcome, register: Register) -> list[Data]:
@@ -205,11 +216,7 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
     found, runs = [], outcome.variants.values()
     rows = list(beside.baseline_rows(outcome))
     if rows:
-        causes = [
-            f"Run {one_line(run.variant)}: {'; '.join(baselines.causes(run))}"
-            for run in runs
-            if run.cause is not None
-        ]
+        causes = list(baselines.cause_texts(runs))
         shown = [each for run in runs for each in beside.baseline_pictures(run)]
         found.append(_section(outcome, register, "Beside the baselines", "\n".join(causes), shown, rows))
     if outcome.against is not None:

@@ -133,10 +133,15 @@ VIOLATIONS = [
     ("whenever x > 1, then y > 1 for at least 2 s", [0, 2, 0, 0, 0], [0, 2, 2, 0, 2], (1, 3)),
     ("x > 1 lasts at least 2 s", [0, 2, 2, 0, 2, 2, 2], None, (1, 3)),
     ("within 2 s x < 1 for good", [0, 0, 0, 0, 9], None, (4, 4)),
+    ("within 2 s x < 1 for good", [9, 9, 0, 0, 9, 9, 0], None, (4, 5)),
+    ("within 2 s x < 1 for good", [9, 9, 9, 9, 0, 9, 0], None, (2, 3)),
+    ("not always (eventually x > 1)", [0, 2, 0, 2, 2], None, (4, 4)),
 ]
 
 
-@pytest.mark.parametrize(("text", "x", "y", "expected"), VIOLATIONS, ids=[each[0] for each in VIOLATIONS])
+@pytest.mark.parametrize(
+    ("text", "x", "y", "expected"), VIOLATIONS, ids=[f"{each[0]} {each[1]}" for each in VIOLATIONS]
+)
 def test_the_first_violation_is_where_a_reader_would_look(text, x, y, expected):
     assert consider(formula(text), trace(x, y)).violation == expected
 

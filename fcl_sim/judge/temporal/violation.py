@@ -79,8 +79,9 @@ class _Reasons:
             case Junction(operator=operator):
                 return self._junction(operator, course, value=value)
             case Window(operator=operator):
-                whole = (operator == "always") == value
-                return (self._whole if whole else self._first)(course, value=value)
+                if (operator == "always") != value:
+                    return self._first(course, value=value)
+                return (self._at_last if _lasts(course.parts[0]) else self._whole)(course, value=value)
             case Until():
                 return self._kept(course) if value else self._broken(course)
             case _:
@@ -118,6 +119,14 @@ class _Reasons:
             starts = windows.extreme(first, NOWHERE, course.over, np.minimum, np.inf)
             stops = windows.extreme(last, NOWHERE, course.over, np.maximum, -np.inf)
         return np.vstack([starts, stops])
+
+    def _at_last(self, course: Course, *, value: bool) -> Values:
+        """Return why what lasts to the end is `value` at the last scan of a window: it is so all along.
+
+        `within 3 s P for good` is missed by the first scan from 3 s on that has no P, whatever is before.
+        """
+        last = np.minimum(course.over.last, len(self.scans) - 1)
+        return self.why(course.parts[0], value=value)[:, last]
 
     def _first(self, course: Course, *, value: bool) -> Values:
         """Return the first stretch of a window over which its part is `value`."""
@@ -167,6 +176,11 @@ class _Reasons:
 def _surely(course: Course, *, value: bool) -> Mask:
     found: Mask = course.rows[SURE] > 0 if value else course.rows[POSSIBLE] < 0
     return found
+
+
+def _lasts(course: Course) -> bool:
+    """Return whether a part looks at all scans from some distance on: what it sees later it sees earlier."""
+    return isinstance(course.node, Window) and course.node.interval.end is None
 
 
 def _is_trigger(course: Course) -> bool:

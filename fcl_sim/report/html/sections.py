@@ -254,11 +254,7 @@ def _changed(rows: Sequence[beside.Beside]) -> Markup:
 
 def _baselines(outcome: Outcome, runs: Sequence[Run]) -> Markup | None:
     rows = list(beside.baseline_rows(outcome))
-    causes = [
-        element("p", f"Run {one_line(run.variant)}: {'; '.join(baselines.causes(run))}")
-        for run in runs
-        if run.cause is not None
-    ]
+    causes = [element("p", each) for each in baselines.cause_texts(runs)]
     return _details("Beside the baselines", _changed(rows), causes, is_open=True) if rows else None
 
 
