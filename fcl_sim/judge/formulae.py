@@ -5,6 +5,7 @@ import re
 from fcl_sim.judge import wording
 from fcl_sim.judge.finding import Finding
 from fcl_sim.judge.temporal.formula import Formula
+from fcl_sim.judge.temporal.tree import signals
 from fcl_sim.judge.temporal.verdict import Judgement, Truth
 from fcl_sim.judge.temporal.verdict import consider as judged
 from fcl_sim.judge.temporal.write import written
@@ -48,9 +49,12 @@ def consider(trace: Trace, formula: Formula) -> Finding:
 
 
 def _margin(trace: Trace, found: Judgement) -> str:
+    """Return the margin with what decides it, or, where that is not to blame, what is."""
     if found.robustness is None or found.decided_by is None:
         return ""
     comparison, scan = found.decided_by
+    if found.blamed and set(found.blamed).isdisjoint(signals(comparison)):
+        return f" for {' and '.join(found.blamed)}"
     margin = wording.number(found.robustness, wording.apart(comparison.unit), 0.0)
     return f", {MARGIN.format(margin)} `{written(comparison)}` at {_at(trace, scan)}"
 

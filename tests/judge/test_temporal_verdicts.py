@@ -200,6 +200,14 @@ def test_a_failed_verdict_says_where_it_is_first_violated():
     )
 
 
+def test_what_a_formula_waits_for_is_not_told_as_what_decides_a_miss():
+    """The edge of y is nearer to being none than x is to its bound, and so decides the robustness."""
+    run = trace([0.0, 90.0, 90.0], [0.0, 2.0, 2.0])
+    found = verdict(run, "whenever rise(y > 1), then x < 20")
+    assert found.reason == "The formula does not hold for x, first violated at 1 s."
+    assert (found.value, found.blamed) == (-1.0, ("x",))
+
+
 def test_comparisons_in_several_units_have_a_margin_and_no_value():
     found = verdict(sways(0, 1), "always (crane.sway < 5 deg and crane.distance < 1 m)")
     assert (found.status, found.value) == (Status.PASS, None)
