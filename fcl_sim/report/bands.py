@@ -8,6 +8,7 @@ from fcl_sim.judge.verdict import Band, Corridor
 from fcl_sim.loop.trace import Values
 from fcl_sim.report import lettering, style
 from fcl_sim.report.canvas import Axes, Line, Text, between, rectangle, span
+from fcl_sim.report.ranges import width
 from fcl_sim.report.words import number, one_line
 
 FAR = 1.5
@@ -55,7 +56,7 @@ def focus_on(bands: Mapping[Band, Sequence[str]], values: Values) -> tuple[float
     if not closed or not len(finite):
         return None
     low, high = min(limits), max(limits)
-    if not 0.0 < NARROW * (high - low) < float(np.ptp(finite)):
+    if not 0.0 < NARROW * (high - low) < width(finite):
         return None
     return low - 0.6 * (high - low), high + 0.6 * (high - low)
 

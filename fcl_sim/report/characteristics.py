@@ -13,6 +13,7 @@ from fcl_sim.report import alt, exits, sampling
 from fcl_sim.report.memberships import Visit, membership_plot, panels
 from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
+from fcl_sim.report.ranges import width
 from fcl_sim.report.sampling import Domain, Surface, Track
 from fcl_sim.report.surface import curve_plot, surface_plot
 from fcl_sim.report.terms import as_seen, moves
@@ -166,12 +167,12 @@ def _effect(subject: Subject, domain: Domain, middles: Mapping[str, float]) -> f
     point: dict[str, float | Values] = {**middles, domain.name: np.linspace(*ends, SWEEP)}
     found = subject.block.evaluation(point).outputs[subject.output]
     told = found[np.isfinite(found)]
-    return float(np.ptp(told)) if told.size else 0.0
+    return width(told)
 
 
 def _moved(domain: Domain, seen: Mapping[str, Values]) -> float:
     finite = _finite(seen, domain.name)
-    return float(np.ptp(finite)) / (domain.high - domain.low) if len(finite) else 0.0
+    return width(finite) / (domain.high - domain.low)
 
 
 def _middle(domain: Domain, seen: Mapping[str, Values]) -> float:

@@ -11,6 +11,7 @@ from fcl_sim.loop.diagram import FuzzyNode, Node
 from fcl_sim.report import alt
 from fcl_sim.report.canvas import Figure
 from fcl_sim.report.events import marks_of
+from fcl_sim.report.ranges import width
 from fcl_sim.report.time_plots import NOISE, Lane, Shown, lanes, pages, time_plot
 from fcl_sim.report.words import joined, one_line, with_unit
 from fcl_sim.testbench import Outcome, Run
@@ -128,7 +129,7 @@ def _is_still(run: Run, lane: Lane) -> bool:
     values = run.trace[lane.signal]
     if not len(values) or not np.isfinite(values).all():
         return False
-    return bool(np.ptp(values) <= NOISE * abs(values[0]))
+    return bool(width(values) <= NOISE * abs(values[0]))
 
 
 def _told(run: Run, still: Sequence[Lane]) -> str:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from fcl_sim.block import Block
 from fcl_sim.loop.trace import Values
 from fcl_sim.model import FunctionBlock
+from fcl_sim.report.ranges import width
 from fcl_sim.report.terms import REACH, abscissae, extent, initials
 
 CELLS = 160
@@ -104,15 +105,17 @@ def following(domain: Domain, seen: Values) -> Domain:
 
 
 def closer(shown: Sequence[Domain], seen: Sequence[Values]) -> list[Domain] | None:
-    """Return domains close to what a run saw, or None where that is most of them already."""
+    """Return domains close to what a run saw, or None where that is most of them already, or outside."""
     result = []
     for domain, values in zip(shown, seen, strict=True):
         finite = values[np.isfinite(values)]
         if not len(finite):
             return None
-        room = 2.0 * ROOM * float(np.ptp(finite)) or 0.02 * (domain.high - domain.low)
-        low, high = float(finite.min()) - room, float(finite.max()) + room
-        result.append(replace(domain, low=max(low, domain.low), high=min(high, domain.high)))
+        room = 2.0 * ROOM * width(finite) or 0.02 * (domain.high - domain.low)
+        low, high = max(float(finite.min()) - room, domain.low), min(float(finite.max()) + room, domain.high)
+        if not low < high:
+            return None  # it went nowhere that is shown
+        result.append(replace(domain, low=low, high=high))
     shares = [(near.high - near.low) / (far.high - far.low) for near, far in zip(result, shown, strict=True)]
     return result if min(shares) < NEAR else None
 

@@ -12,6 +12,7 @@ from fcl_sim.report import style
 from fcl_sim.report.canvas import Axes, Figure, Line, Shape, Text
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.plant_sketches import sketches_of
+from fcl_sim.report.ranges import width
 from fcl_sim.report.sketch import Amount, Group, Paint, Piece, Role, Sketch, Tint
 from fcl_sim.report.words import joined, number, one_line, with_unit
 from fcl_sim.testbench import Run
@@ -180,7 +181,7 @@ def _instants(sketch: Sketch, trace: Trace) -> list[int]:
     for name in signals_of(sketch):
         values = trace[name]
         finite &= np.isfinite(values)
-        moves = np.abs(values - values[-1]) > REST * float(np.ptp(values[np.isfinite(values)]))
+        moves = np.abs(values - values[-1]) > REST * width(values[np.isfinite(values)])
         last = max(last, int(np.flatnonzero(moves).max(initial=0)))
     end = min(int(np.flatnonzero(finite).max(initial=0)), int(last * (1.0 + BEHIND)))
     return list(dict.fromkeys(int(each) for each in np.linspace(0, end, COUNT).round()))

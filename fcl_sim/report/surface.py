@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fcl_sim.loop.trace import Values
-from fcl_sim.report import lettering, raster, style
+from fcl_sim.report import lettering, ranges, raster, style
 from fcl_sim.report.canvas import Axes, Dot, Figure, Image, Line, Shape, Text, joined, span
 from fcl_sim.report.exits import draw_exits
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
@@ -60,7 +60,7 @@ def surface_plot(
         _draw_undefined(axes, surface)
         if track is not None:
             _draw_track(axes, track)
-        below = ticks(surface.x[0], surface.x[-1], int(width / 9.0))
+        below = ticks(surface.x[0], surface.x[-1], max(int(width / 9.0), 1))
         draw_frame(axes, below, marks[index], (across, up), grid=False)
         axes.add(Text(0.0, 1.0, surface.title, style.SMALL, style.FAINT, shift=(0.0, 1.2), parts=True))
     if in_space:
@@ -110,18 +110,16 @@ def curve_plot(curve: Curve, track: Track | None = None) -> Figure:
 
 def _limits(values: Values, track: Track | None) -> tuple[float, float]:
     """Return the range of what is drawn, with some room."""
-    shown = values if track is None else np.concatenate([values, track.y])
-    finite = shown[np.isfinite(shown)]
-    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
-    margin = 0.06 * (high - low) or 0.1 * abs(high) or 1.0
-    return low - margin, high + margin
+    shown = ranges.finite([values] if track is None else [values, track.y])
+    low, high = (float(shown.min()), float(shown.max())) if len(shown) else (0.0, 1.0)
+    return ranges.widened(low, high, 0.06)
 
 
 def _range(surfaces: Sequence[Surface]) -> tuple[float, float]:
-    defined = np.concatenate([each.values[~each.undefined & np.isfinite(each.values)] for each in surfaces])
+    defined = ranges.finite(each.values[~each.undefined] for each in surfaces)
     low, high = (float(defined.min()), float(defined.max())) if len(defined) else (0.0, 1.0)
-    if not low < high:
-        return low, low + 1.0
+    if not ranges.moves(low, high):
+        return low, low + max(1.0, abs(low))
     around_zero = raster.FLAT * (high - low)
     low, high = (0.0 if abs(end) <= around_zero else end for end in (low, high))
     return low, high

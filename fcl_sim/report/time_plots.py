@@ -8,7 +8,7 @@ import numpy as np
 
 from fcl_sim.judge.verdict import Band, Corridor, Verdict
 from fcl_sim.loop.trace import Trace, Values
-from fcl_sim.report import lettering, style
+from fcl_sim.report import lettering, ranges, style
 from fcl_sim.report.bands import (
     Interval,
     draw_bands,
@@ -132,8 +132,9 @@ def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Value
     largest = np.where(np.isnan(pieces), -np.inf, pieces).argmax(axis=1)
     extremes = np.concatenate([starts + least, starts + largest])
     flat = pieces.ravel()
-    span = flat[starts + largest] - flat[starts + least]
-    jump = np.abs(flat[extremes] - flat[extremes - 1])
+    with np.errstate(over="ignore"):  # a run that grew without bounds
+        span = flat[starts + largest] - flat[starts + least]
+        jump = np.abs(flat[extremes] - flat[extremes - 1])
     before = extremes[(extremes > 0) & (jump >= STEP * np.tile(span, 2))] - 1
     chosen = np.zeros(len(time), dtype=bool)
     for each in (starts, extremes, before, [-1]):
@@ -212,7 +213,8 @@ def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) ->
     time, values = thinned(run.trace.time, run.trace[lane.signal])
     colour, dashes = style.stroke(index)
     width = 1.1 if index == 0 else 0.9
-    axes.add(Line(time, values, colour, width, dashes, z=5 - 0.1 * index, label="run"))
+    line = ranges.drawable(values)
+    axes.add(Line(time, line, colour, width, dashes, z=5 - 0.1 * index, label="run"))
     low, high = axes.y
     if len(time) and low <= values[-1] <= high:
         last = (float(time[-1]), float(values[-1]))
@@ -248,14 +250,12 @@ def corridors_of(lane: Lane, runs: Sequence[Shown]) -> list[Corridor]:
 
 
 def _limits(values: Sequence[Values], bands: Mapping[Band, Sequence[str]]) -> tuple[float, float]:
-    finite = np.concatenate([each[np.isfinite(each)] for each in values] or [np.zeros(1)])
-    low, high = (float(finite.min()), float(finite.max())) if len(finite) else (0.0, 1.0)
+    shown = ranges.finite(values)
+    low, high = (float(shown.min()), float(shown.max())) if len(shown) else (0.0, 1.0)
     for limit in (limit for band in bands for limit in (band.low, band.high) if limit is not None):
         if worth_showing(limit, low, high):
             low, high = min(low, limit), max(high, limit)
-    moves = high - low > NOISE * max(abs(low), abs(high))
-    margin = 0.08 * (high - low) if moves else 0.1 * abs(high) or 1.0
-    return low - margin, high + margin
+    return ranges.widened(low, high, 0.08, NOISE)
 
 
 def _heading_texts(lane: Lane, runs: Sequence[Shown]) -> tuple[str, str]:

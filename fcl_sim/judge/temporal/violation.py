@@ -79,9 +79,8 @@ class _Reasons:
             case Junction(operator=operator):
                 return self._junction(operator, course, value=value)
             case Window(operator=operator):
-                if (operator == "always") != value:
-                    return self._first(course, value=value)
-                return (self._at_last if _lasts(course.parts[0]) else self._whole)(course, value=value)
+                whole = self._at_last if _lasts(course.parts[0]) else self._whole
+                return (whole if (operator == "always") == value else self._first)(course, value=value)
             case Until():
                 return self._kept(course) if value else self._broken(course)
             case _:
