@@ -16,7 +16,7 @@ from fcl_sim.report.canvas import Axes, Figure, Image, Line, Text, joined, span
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
-from fcl_sim.report.rules_there import first_miss, missed_stretches
+from fcl_sim.report.rules_there import is_at_fault, missed_stretches
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.violations import Interval
 from fcl_sim.report.words import counted, number, one_line
@@ -268,7 +268,7 @@ def _share(label: str, led: int, count: int) -> str:
 def telling_runs(runs: Sequence[Run]) -> list[Run]:
     """Return the first run of each rule base, and all that miss a requirement that they are to meet."""
     users = first_users(runs)
-    return [run for run in runs if any(run is each for each in users) or first_miss(run) is not None]
+    return [run for run in runs if any(run is each for each in users) or is_at_fault(run)]
 
 
 def first_users(runs: Sequence[Run]) -> list[Run]:

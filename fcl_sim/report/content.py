@@ -179,8 +179,10 @@ def _on_characteristic(runs: Sequence[Run]) -> list[Run]:
     return [run for run in runs if any(run is each for each in telling)]
 
 
-def _missed(run: Run) -> int:
-    return sum(each.measured is not Status.PASS for each in run.verdicts)
+def _missed(run: Run) -> tuple[int, int]:
+    """Return how many requirements a run misses: of those that it is to meet, and of all."""
+    meant = sum(each.status is not Status.PASS for each in run.verdicts)
+    return meant, sum(each.measured is not Status.PASS for each in run.verdicts)
 
 
 def _section(
@@ -235,7 +237,7 @@ CHOSEN = (
     "Drawn are the first run of each rule base, that which misses most requirements, "
     "and each in which anywhere no rule is active."
 )
-ELSEWHERE = "Not drawn, as a rule is active in every scan; the page for a browser draws them"
+ELSEWHERE = "In the others a rule is active in every scan; the page for a browser draws them"
 CHARACTERISTIC = (
     "What a rule base gives wherever its inputs are, and the way of each run over it, "
     "from the circle to the square, the darker the later; round times are marked. "

@@ -48,24 +48,29 @@ def rule_bases(outcomes: Sequence[Outcome]) -> list[Base]:
     records: dict[tuple[str, str], dict[str, FuzzyRecord]] = {}
     for outcome in outcomes:
         for run in outcome.variants.values():
-            label = f"{outcome.scenario.name} {run.variant}" if len(outcomes) > 1 else run.variant
-            for node in fuzzy_nodes(run):
+            name = f"{outcome.scenario.name} {run.variant}" if len(outcomes) > 1 else run.variant
+            nodes = fuzzy_nodes(run)
+            blocks = [each.block.function_block for each in nodes]
+            for node in nodes:
                 file = rule_base(outcome, run, node)
                 key = (node.block.function_block.name, file.digest)
+                is_one_of_several = blocks.count(node.block.function_block) > 1
+                label = f"{name} {node.name}" if is_one_of_several else name
                 own = records.setdefault(key, {})
                 base = found.setdefault(key, Base(file=file, node=node, records=own, time=run.trace.time))
                 own[label] = run.trace.fuzzy[node.name]
                 if base.missed is None:
-                    found[key] = replace(base, missed=_missed(run, label))
+                    found[key] = replace(base, missed=_missed(run, node, label))
     return list(found.values())
 
 
-def _missed(run: Run, label: str) -> Miss | None:
+def _missed(run: Run, node: FuzzyNode, label: str) -> Miss | None:
     verdict = first_miss(run)
     if verdict is None or verdict.violation is None or not len(run.trace.ticks):
         return None
     sample = sample_at(run, verdict.violation[0])
-    return Miss(id=verdict.requirement.id, label=label, time=float(run.trace.time[sample]), sample=sample)
+    time = float(run.trace.time[sample])
+    return Miss(id=verdict.requirement.id, label=label, time=time, sample=sample, node=node)
 
 
 def rule_base_data(

@@ -6,6 +6,7 @@ import numpy as np
 
 from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.loop.diagram import FuzzyNode
+from fcl_sim.model import Rule
 from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.violations import Interval, merged, violations
 from fcl_sim.report.words import joined, number, one_line, together, with_unit
@@ -14,6 +15,9 @@ from fcl_sim.testbench import Outcome, Run
 MOST = 4
 """Rules that are named, those of the largest degrees; of more, how many there are."""
 
+WEAK = 0.02
+"""The part of the largest degree below which a rule is not named."""
+
 MOST_OUTPUTS = 3
 
 
@@ -21,6 +25,11 @@ def first_miss(run: Run) -> Verdict | None:
     """Return the requirement that a run is the first to violate in time, where that is not expected of it."""
     found = [each for each in run.verdicts if _is_missed(each) and each.violation is not None]
     return min(found, key=lambda each: (each.violation or (np.inf,))[0], default=None)
+
+
+def is_at_fault(run: Run) -> bool:
+    """Return whether a run misses a requirement that it is to meet."""
+    return any(map(_is_missed, run.verdicts))
 
 
 def missed_stretches(run: Run) -> list[Interval]:
@@ -55,11 +64,13 @@ def _rules(run: Run, node: FuzzyNode, sample: int, *, alone: bool) -> str:
     record = run.trace.fuzzy[node.name]
     degrees = record.degrees[sample]
     order = [rule for rule in np.argsort(-degrees, kind="stable").tolist() if degrees[rule] > 0.0]
-    named = [f"{one_line(record.rule_labels[rule])} ({number(float(degrees[rule]), 2)})" for rule in order]
-    more = [f"{len(named) - MOST} more"] if len(named) > MOST else []
+    told = [rule for rule in order if degrees[rule] >= WEAK * degrees[order[0]]][:MOST]
+    of_block = [each for block in node.block.function_block.rule_blocks for each in block.rules]
+    named = [_rule(record.rule_labels[each], of_block[each], float(degrees[each])) for each in told]
+    more = [f"{len(order) - len(told)} more"] if len(order) > len(told) else []
     of = "" if alone else f" of {one_line(node.name)}"
-    word = "rule" if len(named) == 1 else "rules"
-    fired = f"{word} {joined([*named[:MOST], *more])}{of} {'fires' if len(named) == 1 else 'fire'}"
+    word, fire = ("rule", "fires") if len(order) == 1 else ("rules", "fire")
+    fired = f"{word} {joined([*named, *more])}{of} {fire}"
     values = zip(record.output_names, record.outputs[sample].tolist(), strict=True)
     unit_of = {name.casefold(): unit for name, unit in node.units.items()}
     given = [
@@ -68,15 +79,30 @@ def _rules(run: Run, node: FuzzyNode, sample: int, *, alone: bool) -> str:
     return ", ".join([fired if named else f"no rule{of} fires", *given[:MOST_OUTPUTS]])
 
 
+def _rule(label: str, rule: Rule, degree: float) -> str:
+    """Return a rule with what it concludes and its degree: `8 → hold (0.7)`."""
+    terms = [one_line(each.term or each.variable) for each in rule.conclusions]
+    return f"{one_line(label)} → {' and '.join(terms)} ({number(degree, 2)})"
+
+
 def misses(outcomes: Sequence[Outcome]) -> Iterator[str]:
-    """Yield a sentence or two for each requirement that a run misses though it is not expected to."""
+    """Yield a few sentences for each requirement that is missed though it is not expected to be.
+
+    They tell of the first run that misses it, and name the others.
+    """
     for outcome in outcomes:
+        found: dict[str, list[tuple[Run, Verdict]]] = {}
         for run in outcome.variants.values():
             for verdict in run.verdicts:
                 if _is_missed(verdict):
-                    name = f"{outcome.scenario.name} {run.variant}, {verdict.requirement.id}"
-                    told = f"{name}: {one_line(verdict.reason)} {rules_there(run, verdict)}"
-                    yield one_line(told).rstrip()
+                    found.setdefault(verdict.requirement.id, []).append((run, verdict))
+        for name, ((run, verdict), *others) in found.items():
+            told = [f"{outcome.scenario.name} {run.variant}, {name}: {verdict.reason}"]
+            told.append(rules_there(run, verdict))
+            if others:
+                names = joined([each.variant for each, _ in others])
+                told.append(f"{names} {'misses' if len(others) == 1 else 'miss'} it, too.")
+            yield one_line(" ".join(filter(None, told)))
 
 
 def _is_missed(verdict: Verdict) -> bool:

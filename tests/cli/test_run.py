@@ -57,18 +57,24 @@ def test_of_several_scenarios_each_run_is_a_line_and_what_is_not_green_is_told(i
 
 def test_of_many_misses_the_first_are_told_and_with_v_all(invoke, bench):
     short = bench / "scenarios" / "crane" / "short.toml"
-    tight = short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"')
-    variants = "".join(
-        f'[variants.v{each}]\n"plant.parameters.load_mass" = "2{each} t"\n' for each in range(7)
-    )
-    short.write_text(f"{tight}\n{variants}")
+    text = short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"')
+    head, asked = text.split("[[require]]")
+    short.write_text("[[require]]".join([head, *(asked.replace("S-1", f"S-{each}") for each in range(8))]))
 
     def told(*more):
-        return [line for line in lines(invoke("run", "--no-report", *more).stdout) if ", S-1: " in line]
+        return [line for line in lines(invoke("run", "--no-report", *more).stdout) if "base, S-" in line]
 
     assert len(told()) == 5
     assert "and 3 further misses (-v tells them)" in invoke("run", "--no-report").stdout
     assert len(told("-v")) == 8
+
+
+def test_a_requirement_that_several_runs_miss_is_told_once(invoke, bench):
+    short = bench / "scenarios" / "crane" / "short.toml"
+    text = short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"')
+    short.write_text(f'{text}\n[variants.heavy]\n"plant.parameters.load_mass" = "30 t"\n')
+    (told,) = [line for line in lines(invoke("run", "--no-report").stdout) if ", S-1: " in line]
+    assert told.endswith(" heavy misses it, too.")
 
 
 def test_overrides_reach_the_scenario(invoke, bench):

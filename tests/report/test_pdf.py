@@ -163,7 +163,8 @@ def test_the_words_of_every_figure_can_be_searched(text):
 
 
 def test_an_expected_miss_is_told_with_its_reason(text):
-    there = "At 35 s rules 1 (1), 2 (1), 3 (1), 4 (1) and 2 more fire, power = 10.97 kW."
+    rules = "1 → pos_medium (1), 2 → pos_high (1), 3 → pos_medium (1), 4 → neg_medium (1)"
+    there = f"At 35 s rules {rules} and 2 more fire, power = 10.97 kW."
     assert bare(f"raw_distance crane.distance does not settle. {there} — EXPECTED MISS") in text
 
 

@@ -5,15 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from fcl_sim.block import loads
 from fcl_sim.judge.verdict import Status
 from fcl_sim.report import activation
 from fcl_sim.report.activation import telling_runs
 from fcl_sim.report.canvas import Shape
 from fcl_sim.report.rule_bases import rule_bases
 from fcl_sim.report.rules_there import first_miss, missed_stretches, misses, rules_there
-from fcl_sim.report.telling import step_by_step
+from fcl_sim.report.telling import Miss, step_by_step
 from fcl_sim.report.words import NO_BREAK
-from tests.report.synthetic import crane, of_all_rules, outcome, run, trace, verdict
+from tests.report.synthetic import ONE_INPUT, crane, of_all_rules, outcome, run, trace, verdict
 
 SCAN = 0.5
 
@@ -43,13 +44,13 @@ def told(made):
 
 
 def test_the_rules_that_fire_there_stand_in_the_order_of_their_degrees(missing):
-    assert (
-        told(missing([0.2, 0.0, 0.7, 0, 0, 0])) == "At 35 s rules 3 (0.7) and 1 (0.2) fire, power = 12.5 kW."
+    assert told(missing([0.2, 0.0, 0.7, 0, 0, 0])) == (
+        "At 35 s rules 3 → pos_medium (0.7) and 1 → pos_medium (0.2) fire, power = 12.5 kW."
     )
 
 
 def test_a_lone_rule_is_one(missing):
-    assert told(missing([0, 0, 0, 0, 0, 1.0])) == "At 35 s rule 6 (1) fires, power = 12.5 kW."
+    assert told(missing([0, 0, 0, 0, 0, 1.0])) == "At 35 s rule 6 → zero (1) fires, power = 12.5 kW."
 
 
 def test_that_none_fires_is_told(missing):
@@ -57,9 +58,12 @@ def test_that_none_fires_is_told(missing):
 
 
 def test_of_many_the_strongest_are_named_and_the_others_counted(missing):
-    assert "rules 6 (0.6), 5 (0.5), 4 (0.4), 3 (0.3) and 2 more fire" in told(
-        missing([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
-    )
+    named = "6 → zero (0.6), 5 → pos_medium (0.5), 4 → neg_medium (0.4), 3 → pos_medium (0.3)"
+    assert f"rules {named} and 2 more fire" in told(missing([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]))
+
+
+def test_what_hardly_fires_beside_the_strongest_is_counted_and_not_named(missing):
+    assert "rules 2 → pos_high (0.9) and 2 more fire" in told(missing([0.001, 0.9, 0.002, 0, 0, 0]))
 
 
 def test_what_is_met_or_has_no_time_says_nothing(missing):
@@ -84,8 +88,15 @@ def test_a_miss_names_scenario_run_and_requirement_how_it_is_missed_and_what_the
     (line,) = misses([outcome(tmp_path, missing([1.0, 0, 0, 0, 0, 0]))])
     assert line.replace(NO_BREAK, " ") == (
         "crane/transfer base, CR-1: crane.distance does not settle. "
-        "At 35 s rule 1 (1) fires, power = 12.5 kW."
+        "At 35 s rule 1 → pos_medium (1) fires, power = 12.5 kW."
     )
+
+
+def test_a_requirement_that_several_runs_miss_is_told_once_with_their_names(missing, tmp_path):
+    runs = [missing([1.0] * 6, name) for name in ("base", "light", "heavy")]
+    (line,) = misses([outcome(tmp_path, *runs)])
+    assert line.startswith("crane/transfer base, CR-1: ")
+    assert line.endswith(" light and heavy miss it, too.")
 
 
 def test_the_first_of_several_misses_is_the_first_in_time(missing):
@@ -125,6 +136,55 @@ def test_the_scan_step_by_step_is_that_of_the_miss(missing, tmp_path):
     assert first.caption.replace(NO_BREAK, " ").startswith(
         "Run light at 35 s, where CR-1 is first violated: 1 rule fires. Inference of crane"
     )
+
+
+def test_a_run_that_misses_something_that_has_no_time_is_drawn_as_well(missing, tmp_path):
+    timeless = replace(verdict(Status.FAIL, 3.0), violation=None)
+    users = [run(tmp_path), missing([1.0] * 6, "slow", verdicts=(timeless,))]
+    assert [each.variant for each in telling_runs(users)] == ["base", "slow"]
+
+
+def test_the_steps_of_a_scan_go_on_from_what_outputs_were_before(tmp_path):
+    block = loads(ONE_INPUT, "valve.fcl")
+    made = run(tmp_path, block=block)
+    node, (record,) = made.diagram.nodes[0], made.trace.fuzzy.values()
+    levels, given = np.array([[10.0], [3.0]]), np.array([[100.0], [100.0]])  # at 3 no rule is active: NC
+    seen = replace(
+        record,
+        input_names=("level",),
+        output_names=("opening",),
+        rule_labels=("1", "2"),
+        inputs=levels,
+        outputs=given,
+        degrees=np.array([[0.0, 1.0], [0.0, 0.0]]),
+        flags=np.array([[1.0], [0.0]]),
+    )
+    missed = Miss(id="V-1", label="base", time=0.5, sample=1, node=node)
+    first, *_ = step_by_step(node, {"base": seen}, np.array([0.0, 0.5]), missed)
+    assert "opening = 100: no rule is active, NC keeps the previous value" in first.alt
+
+
+def test_a_miss_in_int_is_not_explained_in_another_arithmetic(missing, tmp_path):
+    made = missing([1.0] * 6)
+    (base,) = rule_bases([outcome(tmp_path, made)])
+    missed = replace(base.missed, node=replace(base.node, arithmetic="INT"))
+    first, *_ = step_by_step(base.node, base.records, base.time, missed)
+    assert "first violated" not in first.caption
+
+
+def test_of_two_blocks_with_one_rule_base_each_has_its_own_record(tmp_path):
+    made = run(tmp_path)
+    (node,) = made.diagram.nodes
+    twin = replace(node, name="controller.twin")
+    diagram = replace(made.diagram, nodes=(node, twin))
+    fuzzy = {**made.trace.fuzzy, twin.name: replace(made.trace.fuzzy[node.name])}
+    both = replace(made, diagram=diagram, trace=replace(made.trace, fuzzy=fuzzy))
+    whole = outcome(tmp_path, both)
+    setup = whole.scenario.variants["base"]
+    rule_files = {**setup.rule_bases, twin.name: setup.rule_bases[node.name]}
+    scenario = replace(whole.scenario, variants={"base": replace(setup, rule_bases=rule_files)})
+    (base,) = rule_bases([replace(whole, scenario=scenario)])
+    assert list(base.records) == ["base controller.rules", "base controller.twin"]
 
 
 def test_that_no_rule_fires_where_it_is_missed_can_be_drawn(missing, tmp_path):
