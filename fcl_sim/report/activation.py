@@ -234,6 +234,8 @@ SIZE = style.LEAST
 def brief(text: str) -> str:
     """Return a rule without the words that every rule has: `distance far, angle zero: power pos_high`."""
     short = one_line(text).removeprefix("IF ").replace(" IS ", " ").replace(" THEN ", ": ")
+    if " OR " in short or "(" in short:  # beside these a comma would seem to bind less than AND
+        return short
     return short.replace(" AND ", ", ")
 
 

@@ -198,7 +198,7 @@ def _named(shown: Sequence[Lane], wanted: set[str]) -> list[Lane]:
 def _overlaid(
     run: Run, views: Sequence[Shown], shown: Sequence[Lane], stem: str, label: str
 ) -> list[Picture]:
-    parted = pages(shown)
+    parted = pages(shown, views)
     return [
         Picture(
             name=numbered(f"{run.variant}-{stem}", index, len(parted)),

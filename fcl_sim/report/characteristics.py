@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from fcl_sim.block import Block
 from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.report import alt, exits, sampling
-from fcl_sim.report.memberships import Visit, membership_plot, panels
+from fcl_sim.report.memberships import Visit, membership_plot, panels, parted
 from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.ranges import width
@@ -25,9 +25,6 @@ MOST_BARS = 6
 
 SWEEP = 41
 """Places at which an output is asked how far an input moves it."""
-
-PANELS = 6
-"""Variables to a figure of membership functions."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,6 +74,7 @@ def characteristic(
     Two inputs make a map, one a curve. Of more, the two that move the output most
     are drawn and the others held at their medians in that run, or in the one `held`,
     or in the middle; without a run to draw, a map stands beside the surface in space.
+    Nothing is drawn of a block without inputs.
     `time` (n,) are the seconds of the run.
     """
     inputs = sampling.domains(as_seen(block.function_block, record or held), units)
@@ -97,7 +95,8 @@ def characteristic(
             time=np.zeros(0) if time is None else time,
             name=stem if len(block.outputs) == 1 else f"{stem}-{output}",
         )
-        pictures.append(_curve(subject) if len(inputs) == 1 else _map(subject))
+        if inputs:
+            pictures.append(_curve(subject) if len(inputs) == 1 else _map(subject))
     return pictures
 
 
@@ -228,7 +227,7 @@ def memberships(
         caption += f" Points that inputs move stand at the medians of run {one_line(first[0])}."
     if records:
         caption += " A bar below an axis is the range that a run visited."
-    pages = [every[start : start + PANELS] for start in range(0, len(every), PANELS)]
+    pages = parted(every)
     return [
         Picture(
             name=numbered(stem, index, len(pages)),

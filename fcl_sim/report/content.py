@@ -100,7 +100,12 @@ def _overview(outcome: Outcome, anchor: str) -> Data:
         "counts": summary.counts(verdicts),
         "status": str(outcome.verdict),
         "open": [
-            {"label": one_line(run.variant), "counts": summary.run_tally(run), "status": str(run.verdict)}
+            {
+                "label": one_line(run.variant),
+                "counts": summary.run_tally(run),
+                "why": summary.shortcomings(run),
+                "status": str(run.verdict),
+            }
             for run in runs
             if run.verdict is not Status.PASS
         ],
@@ -131,7 +136,7 @@ def _scenario(outcome: Outcome, anchor: str, register: Register) -> Data:
         "sentence": summary.sentence_of_runs(runs),
         "story": paragraphs(scenario.description),
         "facts": facts_of(outcome),
-        "requirements": requirement_rows(runs),
+        "requirements": requirement_rows(outcome),
         "plant": plant_rows(outcome.base.diagram.plant, setup_of(outcome, outcome.base)),
         "blocks": block_rows(outcome.base.diagram),
         "sections": _sections(outcome, register),
@@ -301,15 +306,20 @@ def _envelopes(outcome: Outcome) -> Data:
     return fact("Envelopes", joined(told) if told else "none: each run is judged as it stands")
 
 
-def requirement_rows(runs: Sequence[Run]) -> list[Data]:
-    """Return each requirement once, with the results of all runs that were held to it as it stands."""
+def requirement_rows(outcome: Outcome) -> list[Data]:
+    """Return each requirement once, with the results of all runs that were held to it as it stands.
+
+    They stand in the order of the scenario.
+    """
     grouped: dict[tuple[str, str, str, str], list[tuple[Run, Verdict]]] = {}
-    for run in runs:
+    for run in outcome.variants.values():
         for verdict in run.verdicts:
             asked = verdict.requirement
             key = (asked.id, asked.text, bound(asked), verdict.definition)
             grouped.setdefault(key, []).append((run, verdict))
-    return [_requirement(results) for results in grouped.values()]
+    order = [each.id for each in outcome.scenario.requirements]
+    places = {key: order.index(key[0]) if key[0] in order else len(order) for key in grouped}
+    return [_requirement(grouped[key]) for key in sorted(grouped, key=lambda key: places[key])]
 
 
 def _requirement(results: Sequence[tuple[Run, Verdict]]) -> Data:

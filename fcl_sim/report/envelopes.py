@@ -15,7 +15,7 @@ from fcl_sim.judge.verdict import Over, Status
 from fcl_sim.report import alt, lettering, style, summary
 from fcl_sim.report.canvas import Axes, Dot, Figure, Text, span, upright
 from fcl_sim.report.frame import draw_frame, room_below, ticks
-from fcl_sim.report.pictures import Picture
+from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.time_plots import Shown, lanes, pages, time_plot
 from fcl_sim.report.words import bound, bracketed, counted, figure, joined, metric_name, one_line, together
 from fcl_sim.testbench import Run
@@ -25,6 +25,8 @@ ACROSS = style.WIDTH - LEFT - RIGHT
 LANE, HEADING = 9.0, 5.6
 MARGIN = 0.06
 """Share of the range that is kept free at both ends."""
+ON_A_PAGE = int((style.TALLEST - 1.0) / (HEADING + LANE + room_below()))
+"""Requirements to a figure."""
 MOST_RUNS = 4
 """Worst runs that are drawn over time."""
 MOST_VALUES = 9
@@ -89,11 +91,23 @@ def _decisive(verdict: EnvelopeVerdict) -> str:
 
 
 def _ringed(shown: Sequence[EnvelopeVerdict]) -> str:
-    meant = {each.requirement.expect_fail for each in shown}
+    """Return what a ring is, where there is any."""
+    meant = {each.requirement.expect_fail for each in shown if _ring(each) is not None}
     nearest = "that nearest to its bound, or furthest within"
+    if not meant:
+        return ""
     if meant == {True}:
-        return f"of what is to be missed {nearest}"
-    return "the worst point" + (f" or, of what is to be missed, {nearest}" if len(meant) > 1 else "")
+        return f", the ring of what is to be missed {nearest}"
+    return ", the ring the worst point" + (
+        f" or, of what is to be missed, {nearest}" if len(meant) > 1 else ""
+    )
+
+
+def _ring(verdict: EnvelopeVerdict) -> tuple[float, int] | None:
+    """Return where the worst point stands; None where it has no figure."""
+    if verdict.worst is None or not np.isfinite(verdict.values[verdict.worst]):
+        return None
+    return float(verdict.values[verdict.worst]), verdict.worst
 
 
 def _marks(shown: Sequence[EnvelopeVerdict]) -> str:
@@ -113,21 +127,27 @@ def envelope_pictures(run: Run, envelope: Envelope) -> list[Picture]:
     """Return the figures of all points, and the worst points over time beside the nominal run."""
     shown = [each for each in envelope.verdicts if np.isfinite(each.values).any()]
     found = []
-    if shown:
+    parts = parted(shown)
+    for index, part in enumerate(parts):
         caption = (
             f"Run {one_line(run.variant)}: what each requirement measures at every point of its envelope, "
             "the points one above the other in their order. "
-            f"The band is what the requirement allows, the ring {_ringed(shown)}{_marks(shown)}."
+            f"The band is what the requirement allows{_ringed(part)}{_marks(part)}."
         )
         found.append(
             Picture(
-                name=f"{run.variant}-envelope",
+                name=numbered(f"{run.variant}-envelope", index, len(parts)),
                 caption=caption,
-                alt=" ".join(_alt(envelope, each) for each in shown),
-                draw=partial(_draw, shown),
+                alt=" ".join(_alt(envelope, each) for each in part),
+                draw=partial(_draw, part),
             )
         )
     return found + _over_time(run, envelope)
+
+
+def parted(shown: Sequence[EnvelopeVerdict]) -> list[Sequence[EnvelopeVerdict]]:
+    """Part verdicts into figures that fit a page each."""
+    return [shown[start : start + ON_A_PAGE] for start in range(0, len(shown), ON_A_PAGE)]
 
 
 def _over_time(run: Run, envelope: Envelope) -> list[Picture]:
@@ -145,7 +165,7 @@ def _over_time(run: Run, envelope: Envelope) -> list[Picture]:
             alt=alt.of_runs(runs, page),
             draw=partial(time_plot, runs, page),
         )
-        for number, page in enumerate(pages(judged) if judged else [])
+        for number, page in enumerate(pages(judged, runs) if judged else [])
     ]
 
 
@@ -212,11 +232,15 @@ def _draw_points(axes: Axes, verdict: EnvelopeVerdict) -> None:
             off = status is not Status.PASS
             colour = style.VIOLATION_EDGE if off else style.COLOURS[0]
             axes.add(Dot(value, place, "cross" if off else "circle", colour, 3.2 if off else 2.2, z=4))
-    if verdict.worst is not None and np.isfinite(verdict.values[verdict.worst]):
-        at = (float(verdict.values[verdict.worst]), verdict.worst)
-        axes.add(Dot(*at, "circle", style.INK, 5.0, "none", z=5))
+    ring = _ring(verdict)
+    if ring is not None:
+        axes.add(Dot(*ring, "circle", style.INK, 5.0, "none", z=5))
     if verdict.requirement.over is Over.MEAN and verdict.value is not None:
         axes.add(upright(axes, verdict.value, style.INK, z=3))
+
+
+def _tail(count: int, words: str) -> str:
+    return f"; {count} {words}" if count else ""
 
 
 def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
@@ -226,10 +250,11 @@ def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
     )
     mean = "mean " if asked.over is Over.MEAN else ""
     text = f"{one_line(asked.id)}   {bracketed(name, asked.unit)}, {mean}{bound(asked)}"
-    without = int(np.isnan(verdict.values).sum())
     metric = METRICS.get(asked.metric)
     never = f"never {metric.never}" if metric is not None and metric.never else "without a figure"
-    tail = f"; {without} {never}" if without else ""
+    without = np.isnan(verdict.values)
+    ended = np.array([each in {Status.PASS, Status.FAIL} for each in verdict.statuses])
+    tail = _tail(int((without & ended).sum()), never) + _tail(int((without & ~ended).sum()), "undecided")
     spot: dict[str, Any] = {"up": "bottom", "shift": (0.0, 0.8), "parts": True}
     axes.add(Text(0.0, 1.0, lettering.cut(text, 0.7 * ACROSS), **spot))
     told = f"{summary.passed(verdict)}{tail}"

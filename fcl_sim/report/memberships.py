@@ -1,7 +1,8 @@
 """Membership functions of every input and output, with the range that runs visited."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from fcl_sim.model import Formula, FunctionBlock, Singleton, Term
 from fcl_sim.report import lettering, style
@@ -31,6 +32,8 @@ TICKS = 5.0
 GAP = 2.0
 TINY = style.LEAST
 DEGREES = (Tick(0.0, "0"), Tick(0.5, "0.5"), Tick(1.0, "1"))
+MOST_PANELS = 6
+"""Variables to a figure."""
 TOP = 1.04
 """Upper end of the axis of degrees."""
 MARGIN = 0.06
@@ -123,6 +126,22 @@ def membership_plot(shown: Sequence[Panel]) -> Figure:
     return figure
 
 
+def parted(shown: Sequence[Panel]) -> list[list[Panel]]:
+    """Part variables into figures that fit a page each."""
+    parts: list[list[Panel]] = [[]]
+    height = 0.0
+    for panel in shown:
+        terms = [drawn(each, _span(panel)) for each in panel.terms]
+        names = arranged(_names(replace(panel, terms=terms)), ACROSS)
+        needed = _height(panel, 0.0 if panel.bare else height_of(names)) + GAP
+        if parts[-1] and (len(parts[-1]) == MOST_PANELS or height + needed > style.TALLEST):
+            parts.append([])
+            height = 0.0
+        parts[-1].append(panel)
+        height += needed
+    return [part for part in parts if part]
+
+
 def _height(panel: Panel, names: float) -> float:
     return HEADING + names + _body(panel) + LINE * len(_formulae(panel))
 
@@ -183,6 +202,9 @@ def _draw_visits(axes: Axes, panel: Panel) -> None:
         half = 0.85 * BAR / HEIGHT / 2.0
         ends = (left, max(right, left + 0.003))
         axes.add(rectangle(ends, (y - half, y + half), style.FAINT, parts=True, free=True))
+        for end, is_beyond, kind in _ends(visit, low, high):
+            if is_beyond:
+                axes.add(Dot(end, y, kind, style.FAINT, 5.0, parts=True, free=True, label="beyond"))
         label = lettering.cut(one_line(visit.label), 0.3 * ACROSS, TINY)
         text = f"{label}: {number(visit.low, 3)} … {number(visit.high, 3)}"
         width = (lettering.text_width(text, TINY) + 2.0) / ACROSS
@@ -194,6 +216,12 @@ def _draw_visits(axes: Axes, panel: Panel) -> None:
                 (right + 0.006, "left", style.INK) if beside else (left - 0.006, "right", style.INK)
             )
         axes.add(Text(x, y, text, TINY, colour, across=across, up="middle", parts=True, z=3))
+
+
+def _ends(visit: Visit, low: float, high: float) -> Iterator[tuple[float, bool, Literal["left", "right"]]]:
+    """Yield both ends of an axis from `low` to `high`, and whether a visit goes beyond it."""
+    yield 0.0, visit.low < low, "left"
+    yield 1.0, visit.high > high, "right"
 
 
 def _heading(axes: Axes, panel: Panel, names: float) -> None:

@@ -35,7 +35,7 @@ def all_runs(outcome: Outcome) -> list[Picture]:
     """Return the judged signals with all runs overlaid; nothing where there is one run, or nothing judged."""
     runs = [view_of(run) for run in outcome.variants.values()]
     wanted = [lane for lane in lanes(runs[0]) if lane.judged] if len(runs) > 1 else []
-    parted = pages(wanted)
+    parted = pages(wanted, runs)
     return [
         Picture(
             name=numbered("all-runs", index, len(parted)),
@@ -66,7 +66,7 @@ def over_time(run: Run, base: Run | None = None) -> list[Picture]:
     asked = [each for each in moving if each.judged or not telling.isdisjoint(each.names)] or moving
     same = [each for each in asked if base is not None and not each.judged and _is_same(run, base, each)]
     drawn = [each for each in asked if each not in same] or asked
-    parted = pages(drawn)
+    parted = pages(drawn, [view])
     left = [each for each in moving if each not in asked]
     rest = f"{_told(run, still)}{_named(SAME, same if drawn is not asked else [])}{_named(LEFT, left)}"
     return [

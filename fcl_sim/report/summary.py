@@ -1,8 +1,9 @@
 """The verdicts of a run as data: rows of a table, and a sentence."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from fcl_sim.envelope.envelope import Envelope
 from fcl_sim.judge.envelope import EnvelopeVerdict, without_figure
@@ -227,6 +228,33 @@ def tally(verdicts: Sequence[AnyVerdict]) -> str:
 def run_tally(run: Run) -> str:
     """Return how many of a run's requirements came out as they should."""
     return counts(verdicts_of(run))
+
+
+def shortcomings(run: Run) -> str:
+    """Return why a run is not green: what it misses or leaves open, by ids, and how it keeps its baseline."""
+    told = []
+    for status, words in OPEN.items():
+        alone = [each.requirement.id for each in run.verdicts if each.status is status]
+        over = run.envelope.verdicts if run.envelope is not None else ()
+        ids = [*alone, *(each.requirement.id for each in over if each.status is status)]
+        if ids:
+            told.append(words.format(joined([one_line(each) for each in dict.fromkeys(ids)])))
+    if run.compared is not None and run.compared.status is Status.FAIL:
+        told.append("leaves its baseline")
+    elif run.compared is not None and run.compared.status is Status.NO_BASELINE:
+        told.append("has no baseline" if run.compared.baseline is None else "has no baseline of everything")
+    return "; ".join(told)
+
+
+OPEN: Mapping[Status, str] = MappingProxyType(
+    {
+        Status.FAIL: "misses {}",
+        Status.FAULT: "breaks down before {}",
+        Status.INCONCLUSIVE: "leaves {} open",
+        Status.UNTESTED: "puts {} to no test",
+    }
+)
+"""How requirements come out that do not pass, in words."""
 
 
 def counts(verdicts: Sequence[AnyVerdict]) -> str:

@@ -20,10 +20,10 @@ from fcl_sim.report.bands import (
     worth_showing,
 )
 from fcl_sim.report.canvas import Axes, Dot, Figure, Line, Text, span, upright
-from fcl_sim.report.events import marks_of
+from fcl_sim.report.events import Mark, marks_of
 from fcl_sim.report.frame import draw_frame, room_below, scale_of, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
-from fcl_sim.report.naming import FOOT, Name, arranged, draw_names, height_of
+from fcl_sim.report.naming import FOOT, Name, Placed, arranged, draw_names, height_of
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.violations import all_violations
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
@@ -142,15 +142,17 @@ def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Value
     return time[chosen], values[chosen]
 
 
-def pages(shown: Sequence[Lane]) -> list[list[Lane]]:
-    """Part lanes into figures that fit a page each."""
+def pages(shown: Sequence[Lane], runs: Sequence[Shown]) -> list[list[Lane]]:
+    """Part lanes into figures of these runs that fit a page each."""
     parted: list[list[Lane]] = [[]]
-    height = room_below("time [s]")
+    least = _head(runs)[0] + room_below("time [s]")
+    height = least
     for lane in shown:
-        needed = SQUEEZE * lane.height + HEADING + GAP
+        heading, _ = _heading_texts(lane, runs)
+        needed = SQUEEZE * lane.height + HEADING * (heading.count("\n") + 1) + GAP
         if parted[-1] and height + needed > style.TALLEST:
             parted.append([])
-            height = room_below("time [s]")
+            height = least
         parted[-1].append(lane)
         height += needed
     return [page for page in parted if page]
@@ -163,12 +165,8 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     are marked above the lines, a row for each run that has any.
     """
     headings = [_heading_texts(lane, runs) for lane in shown]
-    labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
     end = max(run.duration for run in runs)
-    happened = marks_of(runs[0].trace) if len(runs) == 1 else []
-    names = arranged([Name(each.text, each.time / end, style.FAINT) for each in happened], ACROSS)
-    legend = legend_height(labels)
-    top = legend + (height_of(names) + FOOT + STRIP if names else 0.0)
+    top, labels, names = _head(runs)
     above = [HEADING * (text.count("\n") + 1) for text, _ in headings]
     fixed = top + sum(above) + (len(shown) - 1) * GAP + room_below("time [s]")
     whole = sum(lane.height for lane in shown)
@@ -177,6 +175,7 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
     draw_legend(figure, labels)
     if names:
         draw_names(figure.place(LEFT, top - STRIP, ACROSS, STRIP, "events"), names)
+    happened = _happened(runs)
     for lane, texts, heading in zip(shown, headings, above, strict=True):
         top += heading
         axes = figure.place(LEFT, top, ACROSS, scale * lane.height, lane.signal)
@@ -190,6 +189,18 @@ def time_plot(runs: Sequence[Shown], shown: Sequence[Lane]) -> Figure:
         _heading(axes, texts, lane, runs)
         top += axes.height + GAP
     return figure
+
+
+def _head(runs: Sequence[Shown]) -> tuple[float, list[str], list[Placed]]:
+    """Return the height of what stands above the axes in mm: labels of several runs, events of one."""
+    labels = [_legend_text(run) for run in runs] if len(runs) > 1 else []
+    end = max(run.duration for run in runs)
+    names = arranged([Name(each.text, each.time / end, style.FAINT) for each in _happened(runs)], ACROSS)
+    return legend_height(labels) + (height_of(names) + FOOT + STRIP if names else 0.0), labels, names
+
+
+def _happened(runs: Sequence[Shown]) -> list[Mark]:
+    return marks_of(runs[0].trace) if len(runs) == 1 else []
 
 
 def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:

@@ -1,6 +1,7 @@
 """Outcomes → files: one PDF, the results as JSON and stored, on request a page and PNGs; whole or none."""
 
 import errno
+import filecmp
 import json
 import re
 from collections.abc import Callable, Sequence
@@ -70,8 +71,8 @@ def write_stored(  # noqa: PLR0913  a choice each
     at the end, file by file, so a run that is killed leaves old files or new
     ones, none half-written. `progress` is called with the pictures drawn and
     their number. With `png` each picture is written as one, too, with `pages`
-    each page, with `html` the page for a browser is; without, one that a report
-    before has left under its name is removed, as it would show another run.
+    each page, with `html` the page for a browser is; without, one that a report of
+    other results has left under its name is removed, as it would show another run.
     `source` is the results file that all of `stored` was read from, where it was.
     InputFault where the system refuses.
     """
@@ -87,14 +88,15 @@ def write_stored(  # noqa: PLR0913  a choice each
             shelf.draw(progress or _silent)
             done("drawing")
             (work / PDF).write_bytes(typeset.pdf(work, stored.origin.date))
-            names = [*(shelf.export() if png else []), *(_pages(work) if pages else [])]
+            names = [*(shelf.export() if png else []), *(_pages(work, PAGES) if pages else [])]
             for each in beside:
                 copies.result(each)
             done("typesetting")
             named = [HTML] if html else []
+            is_again = _is_same(work / RESULTS, folder / RESULTS)
             moved = _move(work, folder, [*names, STORED, RESULTS, *named, PDF])[::-1]
-            stale = [*([] if png else shelf.pngs), *([] if html else [HTML])]
-            _remove(folder, stale, kept=names if pages else [])
+            if not is_again:
+                _remove(folder, [*shelf.pngs, HTML], PAGES, moved)
             done("writing")
             return moved
     except OSError as error:
@@ -115,8 +117,11 @@ def write_alone(file: Path, folder: Path, *, png: bool = False, pages: bool = Fa
             shelf.draw(_silent)
             name = f"{slug(file.stem)}.pdf"
             (work / name).write_bytes(typeset.pdf(work, origin.date))
-            names = [*(shelf.export() if png else []), *(_pages(work) if pages else [])]
-            return _move(work, folder, [*names, name])[::-1]
+            where = f"{PAGES}/{slug(file.stem)}"
+            names = [*(shelf.export() if png else []), *(_pages(work, where) if pages else [])]
+            moved = _move(work, folder, [*names, name])[::-1]
+            _remove(folder, [], where, moved)
+            return moved
     except OSError as error:
         raise refused(error, folder) from error
 
@@ -140,22 +145,26 @@ def _write_page(stored: Stored, work: Path) -> None:
     (work / HTML).write_text(page(stored.outcomes, stored.covered), encoding="utf-8")
 
 
-def _pages(work: Path) -> list[str]:
-    """Write every page as PNG; return the files' names."""
-    (work / PAGES).mkdir()
+def _pages(work: Path, where: str) -> list[str]:
+    """Write every page as PNG into a folder; return the files' names."""
+    (work / where).mkdir(parents=True, exist_ok=True)
     names = []
     for number, png in enumerate(typeset.pages(work), start=1):
-        names.append(f"{PAGES}/{number:03}.png")
+        names.append(f"{where}/{number:03}.png")
         (work / names[-1]).write_bytes(png)
     return names
 
 
-def _remove(folder: Path, stale: Sequence[str], kept: Sequence[str]) -> None:
-    """Remove what a report before has left: the files `stale`, and all pages but those that are `kept`."""
-    names = {Path(each).name for each in kept}
-    pages = [each for each in (folder / PAGES).glob("[0-9]*.png") if each.name not in names]
-    for each in (*(folder / name for name in stale), *pages):
-        each.unlink(missing_ok=True)
+def _is_same(one: Path, other: Path) -> bool:
+    return other.is_file() and filecmp.cmp(one, other, shallow=False)
+
+
+def _remove(folder: Path, stale: Sequence[str], pages: str, kept: Sequence[Path]) -> None:
+    """Remove what a report before has left, the files `stale` and its pages, but for what is `kept`."""
+    left = [*(folder / name for name in stale), *(folder / pages).glob("[0-9][0-9][0-9]*.png")]
+    for each in left:
+        if each not in kept and (each.parent != folder / pages or each.stem.isdigit()):
+            each.unlink(missing_ok=True)
 
 
 BATCH = 8

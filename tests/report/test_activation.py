@@ -45,6 +45,18 @@ def test_the_rules_have_their_labels_and_texts(firing):
     assert activation.brief(firing.texts[0]) == "distance far, angle zero: power pos_medium"
 
 
+@pytest.mark.parametrize(
+    ("condition", "told"),
+    [
+        ("a IS lo AND b IS lo AND c IS lo", "a lo, b lo, c lo: u small"),
+        ("a IS lo OR b IS lo AND c IS lo", "a lo OR b lo AND c lo: u small"),
+        ("NOT (a IS lo AND b IS lo)", "NOT (a lo AND b lo): u small"),
+    ],
+)
+def test_a_comma_stands_for_and_only_where_nothing_else_joins(condition, told):
+    assert activation.brief(f"IF {condition} THEN u IS small") == told
+
+
 def test_a_line_stands_where_a_rule_dominates_and_hatching_where_none_fires(firing):
     (axes, _) = activation.draw(firing, firing.idle).axes
     (line,) = axes.of(Line, "dominant")

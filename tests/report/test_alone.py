@@ -37,8 +37,19 @@ def test_pages_and_pictures_are_written_on_request(tmp_path):
     written = write_alone(file, tmp_path / "reports", png=True, pages=True)
     names = [each.relative_to(tmp_path / "reports").as_posix() for each in written]
     assert names[0] == "valve.pdf"
-    assert "pages/001.png" in names
+    assert "pages/valve/001.png" in names
     assert "rule-bases/valve-surface.png" in names
+
+
+def test_its_pages_leave_those_of_another_report_alone_and_none_of_its_own_before(tmp_path):
+    file, pages = tmp_path / "valve.fcl", tmp_path / "reports" / "pages"
+    file.write_text(ONE_INPUT)
+    (pages / "valve").mkdir(parents=True)
+    for name in ("001.png", "valve/099.png"):
+        (pages / name).write_text("another")
+    write_alone(file, tmp_path / "reports", pages=True)
+    assert (pages / "001.png").read_text() == "another"
+    assert not (pages / "valve" / "099.png").exists()
 
 
 def test_one_with_errors_is_refused(tmp_path):

@@ -30,6 +30,11 @@ def small(tmp_path):
     return [outcome(folder, run(folder))]
 
 
+def other_than(outcomes):
+    """Return outcomes with other results, of the same names."""
+    return [replace(each, variants={"base": replace(each.base, title="another")}) for each in outcomes]
+
+
 def everything(folder: Path) -> dict[str, bytes]:
     return {str(each.relative_to(folder)): each.read_bytes() for each in folder.rglob("*") if each.is_file()}
 
@@ -57,11 +62,13 @@ def test_two_reports_from_the_same_inputs_are_the_same_bytes(small, tmp_path, mo
 
 
 def test_pictures_are_written_on_request_and_those_of_an_older_report_do_not_stay(small, tmp_path):
-    write(small, tmp_path / "reports", png=True)
+    write(small, tmp_path / "reports", png=True, pages=True)
     (tmp_path / "reports" / "crane" / "mine.png").write_text("mine")
-    write(small, tmp_path / "reports")
+    (tmp_path / "reports" / "pages" / "1st.png").write_text("mine")
+    write(other_than(small), tmp_path / "reports")
     assert sorted(everything(tmp_path / "reports")) == [
         "crane/mine.png",
+        "pages/1st.png",
         "report.pdf",
         "results.json",
         "results.npz",
@@ -74,8 +81,23 @@ def test_the_page_for_a_browser_is_written_on_request_and_that_of_an_older_repor
     written = write(small, tmp_path / "reports", html=True)
     assert [each.name for each in written] == ["report.pdf", "report.html", "results.json", "results.npz"]
     assert written[1].read_text("utf-8").startswith("<!DOCTYPE html>")
-    write(small, tmp_path / "reports")
+    write(other_than(small), tmp_path / "reports")
     assert sorted(everything(tmp_path / "reports")) == ["report.pdf", "results.json", "results.npz"]
+
+
+def test_what_shows_the_same_results_stays(small, tmp_path):
+    write(small, tmp_path / "reports", png=True, html=True, pages=True)
+    before = everything(tmp_path / "reports")
+    write(small, tmp_path / "reports")
+    assert everything(tmp_path / "reports") == before
+
+
+def test_a_scenario_may_be_called_as_the_folder_of_the_pages_is(small, tmp_path):
+    folder = tmp_path / "inputs"
+    named = [outcome(folder, run(folder), run(folder, "2nd"), name="pages")]
+    written = write(named, tmp_path / "reports", png=True, pages=True)
+    assert {each for each in written if not each.is_file()} == set()
+    assert tmp_path / "reports" / "pages" / "2nd-time.png" in written
 
 
 def test_what_is_done_is_told_in_its_order(small, tmp_path):

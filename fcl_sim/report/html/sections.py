@@ -123,7 +123,7 @@ def scenario(outcome: Outcome, number: int, data: str) -> Markup:
         element("h2", title, " ", badge(str(outcome.verdict))),
         element("p", summary.sentence_of_runs(runs), class_="tally"),
         [element("p", prose(each)) for each in paragraphs(outcome.scenario.description)],
-        _requirements(runs),
+        _requirements(outcome),
         element("div", class_="explorer", data_name=outcome.scenario.name),
         element("script", Markup(data), type="text/plain", class_="pack"),
         _further(outcome, runs),
@@ -132,8 +132,8 @@ def scenario(outcome: Outcome, number: int, data: str) -> Markup:
     )
 
 
-def _requirements(runs: Sequence[Run]) -> Markup | None:
-    rows = requirement_rows(runs)
+def _requirements(outcome: Outcome) -> Markup | None:
+    rows = requirement_rows(outcome)
     if not rows:
         return element("p", "Nothing is asked of these runs.", class_="tally")
     head = [element("th", each, scope="col") for each in ("Requirement", "Run", "Measured", "Verdict")]
