@@ -11,15 +11,14 @@ from numpy.typing import NDArray
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.report import lettering, raster, style
-from fcl_sim.report.bands import ABOVE, draw_above
+from fcl_sim.report.bands import ABOVE, Missed, draw_above
 from fcl_sim.report.canvas import Axes, Figure, Image, Line, Text, joined, span
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
-from fcl_sim.report.rules_there import is_at_fault, missed_stretches
+from fcl_sim.report.rules_there import is_at_fault, missed_when
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.violations import Interval
-from fcl_sim.report.words import counted, number, one_line
+from fcl_sim.report.words import counted, number, one_line, with_unit
 from fcl_sim.report.words import joined as listed
 from fcl_sim.testbench import Run
 from fcl_sim.verify.cover import dominant, rule_text
@@ -81,7 +80,7 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     record = run.trace.fuzzy[node.name]
     if not len(run.trace.ticks) or not record.rule_labels:
         return []
-    firing, missed = firing_of(node, record, run.trace.time), missed_stretches(run)
+    firing, missed = firing_of(node, record, run.trace.time), missed_when(run)
     parted = _parted(firing)
     caption = (
         f"Run {one_line(run.variant)}: the rules of {one_line(node.block.name)} over time, darker the more "
@@ -90,9 +89,10 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     if firing.idle.any():
         caption += " Hatched: no rule fires."
     if missed:
-        ids = [one_line(each.requirement.id) for each in run.verdicts if each.violation is not None]
-        verb = "is" if len(ids) == 1 else "are"
-        caption += f" Bars above: {listed(ids)} {verb} violated; the cause may lie before."
+        caption += " Bars above: when a requirement is violated; the cause may lie before."
+        caption += " Open ones are expected." if any(each.is_meant for each in missed) else ""
+    if run.trace.fault is not None:
+        caption += f" The run ended in a FAULT at {with_unit(run.trace.fault.tick / 1e9, 's', 9)}."
     return [
         Picture(
             name=numbered(f"{run.variant}-{node.name}-activation", page, len(parted)),
@@ -148,16 +148,16 @@ def firing_of(node: FuzzyNode, record: FuzzyRecord, time: Values) -> Firing:
     )
 
 
-def draw(firing: Firing, idle: NDArray[np.bool_], missed: Sequence[Interval] = ()) -> Figure:
+def draw(firing: Firing, idle: NDArray[np.bool_], missed: Sequence[Missed] = ()) -> Figure:
     """Return the rows of some rules; `idle` (n,) is where no rule of the block fires.
 
-    `missed` are the stretches in which a requirement is violated.
+    `missed` tells when which requirement is violated.
     """
     rows = _edges(firing)
     height = max(ROW * float(rows[-1]), LEAST_HEIGHT)
     levels = ticks(0.0, 1.0, 4)
     bar = GAP + BAR + room_left(levels, "degree [1]")
-    top = TOP + (ABOVE if missed else 0.0)
+    top = TOP + ABOVE * len(missed)
     figure = Figure(top + height + room_below("time [s]"))
     axes = figure.place(LABELS, top, style.WIDTH - LABELS - bar, height, "activation")
     begin, end = float(firing.time[0]), float(firing.time[-1])
@@ -239,8 +239,8 @@ def brief(text: str) -> str:
     return short.replace(" AND ", ", ")
 
 
-def alt(firing: Firing, missed: Sequence[Interval] = ()) -> str:
-    """Return how long the rules fire and dominate, and when a requirement is violated, in words."""
+def alt(firing: Firing, missed: Sequence[Missed] = ()) -> str:
+    """Return how long the rules fire and dominate, and when requirements are violated, in words."""
     count = len(firing.time)
     fired = (firing.degrees > 0.0).sum(axis=0)
     led = firing.dominant.sum(axis=0)
@@ -256,10 +256,12 @@ def alt(firing: Firing, missed: Sequence[Interval] = ()) -> str:
         parts.append(f"Rules that never fire: {listed(never)}.")
     idle = int(firing.idle.sum())
     parts.append(f"No rule fires in {number(100.0 * idle / count, 3)} % of the samples." if idle else "")
-    if missed:
-        spans = [f"from {number(start)} s to {number(end)} s" for start, end in missed[:SHOWN]]
-        rest = [f"{len(missed) - SHOWN} times more"] if len(missed) > SHOWN else []
-        parts.append(f"A requirement is violated {listed([*spans, *rest])}.")
+    for each in missed:
+        spans = [f"from {number(start)} s to {number(end)} s" for start, end in each.stretches[:SHOWN]]
+        more = len(each.stretches) - SHOWN
+        rest = [f"{more} times more"] if more > 0 else []
+        expected = ", as expected" if each.is_meant else ""
+        parts.append(f"{each.label} is violated {listed([*spans, *rest])}{expected}.")
     return " ".join(each for each in parts if each)
 
 

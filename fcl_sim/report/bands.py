@@ -1,6 +1,8 @@
 """Requirement bands and violations, drawn into an axis over time."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -26,8 +28,8 @@ LABEL = 2.7
 ROW = 1.1
 """Height in mm of what marks the violations of a run among others."""
 
-ABOVE = 2.2
-"""Height in mm of what marks violations above axes."""
+ABOVE = 2.7
+"""Height in mm of a row that marks violations above axes."""
 
 INSTANT = 4.0
 """Width in mm of a band that holds at an instant, at least."""
@@ -144,12 +146,28 @@ def draw_violations(axes: Axes, violations: Sequence[Interval]) -> None:
         axes.add(span(axes, across, style.VIOLATION_EDGE, (0.955, 1.0), z=4))
 
 
-def draw_above(axes: Axes, violations: Sequence[Interval]) -> None:
-    """Put a bar above the axes over each violated interval; they take `ABOVE` mm."""
-    low, high = (1.0 + part * ABOVE / axes.height for part in (0.25, 0.85))
-    for each in violations:
-        across = _seen(axes, each, SHORTEST)
-        axes.add(span(axes, across, style.VIOLATION_EDGE, (low, high), z=4, free=True, label="violation"))
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Missed:
+    """When a requirement is violated; `is_meant` says that it is to be missed."""
+
+    label: str
+    stretches: tuple[Interval, ...]
+    is_meant: bool
+
+
+def draw_above(axes: Axes, missed: Sequence[Missed]) -> None:
+    """Put a bar above the axes over each violated interval, a row of `ABOVE` mm for each requirement.
+
+    Bars of what is to be missed are open.
+    """
+    for row, each in enumerate(reversed(missed)):
+        low, high = (1.0 + (row + part) * ABOVE / axes.height for part in (0.2, 0.75))
+        face = style.PAPER if each.is_meant else style.VIOLATION_EDGE
+        look: dict[str, Any] = {"edge": style.VIOLATION_EDGE, "z": 4, "free": True, "label": "violation"}
+        for stretch in each.stretches:
+            axes.add(span(axes, _seen(axes, stretch, SHORTEST), face, (low, high), **look))
+        spot: dict[str, Any] = {"across": "right", "up": "middle", "shift": (-1.5, 0.0), "parts": True}
+        axes.add(Text(0.0, (low + high) / 2.0, each.label, style.LEAST, **spot))
 
 
 def strip_of(count: int, height: float) -> float:

@@ -1,19 +1,24 @@
 """What the rules do where a requirement is first missed: the first thing that is asked of a miss."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.model import Rule
+from fcl_sim.report.bands import Missed
 from fcl_sim.report.provenance import fuzzy_nodes
-from fcl_sim.report.violations import Interval, merged, violations
+from fcl_sim.report.violations import merged, violations
 from fcl_sim.report.words import joined, number, one_line, together, with_unit
 from fcl_sim.testbench import Outcome, Run
 
 MOST = 4
 """Rules that are named, those of the largest degrees; of more, how many there are."""
+
+MOST_ROWS = 4
+"""Requirements that have a bar of their own where they are violated, of those to be met and of the others."""
 
 WEAK = 0.02
 """The part of the largest degree below which a rule is not named."""
@@ -32,13 +37,28 @@ def is_at_fault(run: Run) -> bool:
     return any(map(_is_missed, run.verdicts))
 
 
-def missed_stretches(run: Run) -> list[Interval]:
-    """Return where a run violates any requirement, in whatever signal: stretches that do not overlap."""
-    return merged(
-        stretch
-        for verdict in run.verdicts
-        for stretch in violations(run.trace, verdict, verdict.requirement.signals)
-    )
+def missed_when(run: Run) -> list[Missed]:
+    """Return when a run violates which requirement: those it is to meet first; many of a kind in one."""
+    found = [
+        Missed(
+            label=one_line(each.requirement.id),
+            stretches=tuple(violations(run.trace, each, each.requirement.signals)),
+            is_meant=each.requirement.expect_fail,
+        )
+        for each in run.verdicts
+        if each.violation is not None
+    ]
+    kinds = [[each for each in found if each.is_meant is meant] for meant in (False, True)]
+    return [row for kind in kinds for row in _few(kind)]
+
+
+def _few(found: Sequence[Missed]) -> list[Missed]:
+    if len(found) <= MOST_ROWS:
+        return list(found)
+    rest = found[MOST_ROWS - 1 :]
+    stretches = merged(stretch for each in rest for stretch in each.stretches)
+    more = replace(rest[0], label=f"{len(rest)} more", stretches=tuple(stretches))
+    return [*found[: MOST_ROWS - 1], more]
 
 
 def sample_at(run: Run, time: float) -> int:

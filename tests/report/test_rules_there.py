@@ -9,9 +9,9 @@ from fcl_sim.block import loads
 from fcl_sim.judge.verdict import Status
 from fcl_sim.report import activation
 from fcl_sim.report.activation import telling_runs
-from fcl_sim.report.canvas import Shape
+from fcl_sim.report.canvas import Shape, Text
 from fcl_sim.report.rule_bases import rule_bases
-from fcl_sim.report.rules_there import first_miss, missed_stretches, misses, rules_there
+from fcl_sim.report.rules_there import first_miss, missed_when, misses, rules_there
 from fcl_sim.report.telling import Miss, step_by_step
 from fcl_sim.report.words import NO_BREAK
 from tests.report.synthetic import ONE_INPUT, crane, of_all_rules, outcome, run, trace, verdict
@@ -116,17 +116,31 @@ def test_a_bar_stands_above_the_rules_over_each_stretch_that_is_violated(missing
     made = missing([1.0] * 6, verdicts=(wide,))
     (node,) = made.diagram.nodes
     firing = activation.firing_of(node, made.trace.fuzzy["controller.rules"], made.trace.time)
-    violated = missed_stretches(made)
-    (axes, _) = activation.draw(firing, firing.idle, violated).axes
+    (violated,) = missed_when(made)
+    (axes, _) = activation.draw(firing, firing.idle, [violated]).axes
     bars = axes.of(Shape, "violation")
-    assert len(bars) == len(violated) > 1
-    assert all(min(each.y) < axes.y[1] for each in bars)  # rows are counted downwards
+    assert len(bars) == len(violated.stretches) > 1
+    assert all(max(each.y) < axes.y[1] for each in bars)  # rows are counted downwards
     distance = made.trace["crane.distance"]
     for time, value in zip(made.trace.time, distance, strict=True):
-        is_under_a_bar = any(start <= time <= end for start, end in violated)
+        is_under_a_bar = any(start <= time <= end for start, end in violated.stretches)
         assert is_under_a_bar == (time >= 35.0 and abs(value) > 10.0)
-    assert "A requirement is violated from 35.5 s to 40 s, from 42 s" in activation.alt(firing, violated)
-    assert "CR-1 is violated" in activation.over_time(made)[0].caption
+    assert "CR-1 is violated from 35.5 s to 40 s, from 42 s" in activation.alt(firing, [violated])
+    assert "Bars above: when a requirement is violated" in activation.over_time(made)[0].caption
+    assert "CR-1" in [each.text for each in axes.of(Text)]
+
+
+def test_each_requirement_has_a_row_those_to_be_met_first_and_of_many_the_last_share_one(missing):
+    found = [
+        replace(verdict(Status.FAIL, None, id=f"R-{each}", expect_fail=each % 2 == 0), band=None)
+        for each in range(12)
+    ]
+    rows = missed_when(missing([1.0] * 6, verdicts=tuple(found)))
+    told = [(each.label, each.is_meant) for each in rows]
+    assert told == [
+        *[(name, False) for name in ("R-1", "R-3", "R-5", "3 more")],
+        *[(name, True) for name in ("R-0", "R-2", "R-4", "3 more")],
+    ]
 
 
 def test_the_scan_step_by_step_is_that_of_the_miss(missing, tmp_path):
