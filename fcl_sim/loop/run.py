@@ -7,28 +7,18 @@ import numpy as np
 
 from fcl_sim.loop import layout
 from fcl_sim.loop.diagram import Diagram, FuzzyNode
+from fcl_sim.loop.ended import fault_of
 from fcl_sim.loop.linked import Linked, linked
 from fcl_sim.loop.outside import execute_outside
-from fcl_sim.loop.reported import events_of, refused
+from fcl_sim.loop.reported import events_of
 from fcl_sim.loop.restart import restart_cold, restarted_nodes
 from fcl_sim.loop.simulate import simulate
 from fcl_sim.loop.stages import Shape
 from fcl_sim.loop.state import RunState, initial_state
 from fcl_sim.loop.tape import Tape, lower
-from fcl_sim.loop.trace import Fault, FuzzyRecord, Incident, Trace, Values
+from fcl_sim.loop.trace import FuzzyRecord, Incident, Trace, Values
 from fcl_sim.loop.wiring import wire
-from fcl_sim.loop.work import INDEX, ROW, SAMPLES, STATUS
-
-REASONS = {
-    layout.NOT_FINITE: "is NaN or infinite",
-    layout.BLEW_UP: "is NaN or infinite, or grows faster than the integrator can follow",
-    layout.STEP_TOO_SMALL: "needs steps too small for the clock to meet the tolerance",
-    layout.CHATTERS: "happens over and over without time passing",
-    layout.BUDGET_SPENT: "needs more than a million steps between two writes",
-    layout.RUN_BUDGET_SPENT: "has needed a thousand million steps, and the run is not at its end",
-}
-"""How a run can end early, in words that follow the name of a signal, state or event."""
-
+from fcl_sim.loop.work import ROW, SAMPLES
 
 FIRST_PIECE, MOST_SCANS, PIECE_SECONDS = 16, 1_000_000, 0.25
 """Scans that are run before Python looks up, at first and at most, and the seconds that they should take."""
@@ -139,7 +129,7 @@ def _trace(tape: Tape, record: Values, state: RunState) -> Trace:
         units=found.units,
         values=values,
         fuzzy=fuzzy,
-        fault=_fault(tape, state),
+        fault=fault_of(tape, state),
         events=events_of(tape, record),
         incidents=_incidents(tape, record.shape[0]),
         constants=wiring.diagram.plant.constants,
@@ -169,36 +159,3 @@ def _fuzzy_record(tape: Tape, node: FuzzyNode, record: Values) -> FuzzyRecord:
         cold=tuple(each for each in cold if restarted and each < len(record)),
         units=tape.recorded.block_units[node.name],
     )
-
-
-def _fault(tape: Tape, state: RunState) -> Fault | None:
-    status, samples, index = (int(state.progress[word]) for word in (STATUS, SAMPLES, INDEX))
-    if status == layout.FINISHED:
-        return None
-    declaration = tape.wiring.diagram.plant.model.declaration
-    prefix = tape.wiring.diagram.plant.name
-    if status == layout.NOT_FINITE:
-        name = next(name for name, slot in tape.slots.items() if slot == index)
-        tick = int(tape.starts[samples])
-        if name in tape.instances and name in tape.outside:
-            in_int: Fault = state.own[name]["fault"]
-            return in_int
-        if name in tape.instances:
-            return _beyond_real(tape, name, state.memory, tick)
-        return refused(tape, name, state.memory, tick) or Fault(tick, name, f"`{name}` {REASONS[status]}")
-    tick = int(tape.starts[max(0, samples - 1)])
-    if status == layout.CHATTERS:
-        name = declaration.events[index].name
-        return Fault(tick, f"{prefix}.{name}", f"the event `{name}` of `{prefix}` {REASONS[status]}")
-    name = declaration.states[index].name
-    return Fault(tick, f"{prefix}.{name}", f"the state `{name}` of `{prefix}` {REASONS[status]}")
-
-
-def _beyond_real(tape: Tape, name: str, memory: Values, tick: int) -> Fault:
-    """Return the fault of a fuzzy block in REAL with an input that binary32 cannot hold."""
-    node = next(each for each in tape.wiring.order if each.name == name and isinstance(each, FuzzyNode))
-    inputs = node.block.program.input_names
-    values = memory[tape.instances[name] :]
-    port = next(port for port, value in zip(inputs, values, strict=False) if not np.isfinite(value))
-    source = tape.wiring.resolve(node.inputs[port]).source
-    return Fault(tick, source, f"`{source}` exceeds what `{name}.{port}` can hold: it is REAL")
