@@ -154,9 +154,9 @@ def assumptions(runs: Sequence[Run]) -> Iterator[Data]:
 def _assumption(model: PlantModel, parameter: Parameter, runs: Sequence[Run]) -> Data:
     given = {run.diagram.plant.parameters.get(parameter.name, parameter.default) for run in runs}
     others = sorted(given - {parameter.default})
-    told = [exactly(each, "") for each in others]
+    told = [exactly(each, parameter.unit) for each in others]
     if len(told) > MOST_VALUES:
-        told = [f"{counted(len(told), 'value')} from {told[0]} to {told[-1]}"]
+        told = [f"{counted(len(told), 'value')} from {exactly(others[0], '')} to {told[-1]}"]
     used = "" if parameter.default in given else " (in no run)"
     return {
         "plant": one_line(model.declaration.name),

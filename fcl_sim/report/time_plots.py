@@ -206,7 +206,7 @@ def _happened(runs: Sequence[Shown]) -> list[Mark]:
 def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     bands = bands_of(lane, runs)
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
-    shown = [run.trace[lane.signal] for _, run in present]
+    shown = _within(lane, [run for _, run in present])
     shown += [edge for each in corridors_of(lane, runs) for edge in (np.array(each.low), np.array(each.high))]
     low, high = lane.focus or _limits(shown, bands)
     several = len(runs) > 1 and lane.focus is None
@@ -218,6 +218,16 @@ def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     draw_strip(axes, missed, strip)
     for index, run in reversed(present):
         _draw_run(axes, lane, run, index, alone=len(runs) == 1)
+
+
+def _within(lane: Lane, runs: Sequence[Shown]) -> list[Values]:
+    """Return the values of runs, of one that broke down as far as the others leave something to see."""
+    sound = ranges.finite(run.trace[lane.signal] for run in runs if run.trace.fault is None)
+    if not len(sound):
+        return [run.trace[lane.signal] for run in runs]
+    room = ranges.width(sound) or 1.0
+    low, high = float(sound.min()) - room, float(sound.max()) + room
+    return [sound, *(np.clip(run.trace[lane.signal], low, high) for run in runs if run.trace.fault)]
 
 
 def _draw_run(axes: Axes, lane: Lane, run: Shown, index: int, *, alone: bool) -> None:

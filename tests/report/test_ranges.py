@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fcl_sim.report import pictures, ranges
+from fcl_sim.report import pictures, ranges, time_plots
 from fcl_sim.report.sampling import Domain, closer
 from fcl_sim.report.vector import svg
 from tests.report.synthetic import run, trace
@@ -63,3 +63,17 @@ def test_a_run_that_is_far_outside_of_the_terms_has_no_closer_look():
     near = [np.array([10.0, 11.0]), np.array([1000.0, 1000.1])]
     assert closer([domain, domain], near) is None
     assert closer([domain, domain], [near[0], near[0]]) is not None
+
+
+def test_a_run_that_broke_down_leaves_the_others_to_be_seen(tmp_path):
+    wild = trace("fault")
+    values = wild.values.copy()
+    values[:, 0] = np.linspace(0.0, 1e37, len(values))
+    broken = time_plots.Shown(label="wild", trace=replace(wild, values=values), duration=60.0)
+    sound = time_plots.Shown(label="sound", trace=trace(), duration=60.0)
+    lane, *_ = [each for each in time_plots.lanes(sound) if each.signal == "crane.distance"]
+    (axes,) = time_plots.time_plot([sound, broken], [lane]).axes[-1:]
+    span = float(np.ptp(sound.trace["crane.distance"]))
+    assert axes.y[1] - axes.y[0] < 4.0 * span
+    (alone,) = time_plots.time_plot([broken], [lane]).axes[-1:]
+    assert alone.y[1] > 9e36

@@ -66,7 +66,7 @@ def test_assumptions_are_told_with_what_else_was_run(tmp_path):
     other = replace(run(tmp_path, "light"), diagram=replace(base.diagram, plant=light))
     (found,) = assumptions([base, other])
     assert (found["plant"], found["name"], found["value"]) == ("crane", "load_mass", "20\N{NO-BREAK SPACE}t")
-    assert found["others"] == "10"
+    assert found["others"] == "10\N{NO-BREAK SPACE}t"
 
 
 def test_waivers_of_coverage_and_of_findings_are_told(tmp_path):
