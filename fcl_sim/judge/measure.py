@@ -106,7 +106,8 @@ def _nothing_to_see(trace: Trace, cut: Cut) -> Finding:
     last = int(trace.ticks[-1]) if trace.ticks.size else 0
     window = f"from {wording.seconds(cut.start / 1e9)} to {wording.seconds(max(cut.end, cut.start) / 1e9)}"
     if cut.start > last:
-        reason = f"the trace ends at {wording.seconds(last / 1e9)}, before the window {window}"
+        begins = wording.seconds(cut.start / 1e9)
+        reason = f"the trace ends at {wording.seconds(last / 1e9)}, before the window begins at {begins}"
         return Finding(status=Status.INCONCLUSIVE, reason=reason)
     return Finding(status=Status.UNTESTED, reason=f"no scan falls into the window {window}")
 

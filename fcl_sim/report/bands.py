@@ -167,7 +167,8 @@ def draw_above(axes: Axes, missed: Sequence[Missed]) -> None:
         for stretch in each.stretches:
             axes.add(span(axes, _seen(axes, stretch, SHORTEST), face, (low, high), **look))
         spot: dict[str, Any] = {"across": "right", "up": "middle", "shift": (-1.5, 0.0), "parts": True}
-        axes.add(Text(0.0, (low + high) / 2.0, each.label, style.LEAST, **spot))
+        label = lettering.cut(each.label, axes.left / style.HINTED - 2.0, style.LEAST)
+        axes.add(Text(0.0, (low + high) / 2.0, label, style.LEAST, **spot))
 
 
 def strip_of(count: int, height: float) -> float:

@@ -275,7 +275,7 @@ def run_text(outcome: Outcome, run: Run) -> str:
         sentences.append(f"{one_line(first.block)} reported {first.name} {times} at {at}.")
     fault = run.trace.fault
     if fault is not None:
-        sentences.append(f"{ending(fault)}.")
+        sentences.append(f"{ending(fault)}.".replace("`", ""))
     return " ".join(sentences)
 
 

@@ -167,5 +167,6 @@ def _caption(run: Run, page: Sequence[Lane], index: int) -> str:
         parts.append("No scan was recorded.")
     if run.trace.fault is not None:
         fault = run.trace.fault
-        parts.append(f"The run ended at {with_unit(fault.tick / 1e9, 's', 9)}: {one_line(fault.reason)}.")
+        reason = one_line(fault.reason).replace("`", "")
+        parts.append(f"The run ended at {with_unit(fault.tick / 1e9, 's', 9)}: {reason}.")
     return " ".join(parts)

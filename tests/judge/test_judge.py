@@ -140,7 +140,7 @@ def test_a_trace_that_ends_before_the_bound_is_inconclusive(expect_fail: bool) -
 def test_a_trace_that_ends_before_the_window_is_inconclusive() -> None:
     verdict = one(approach(0.5, seconds=30), **{**LANDED, "arguments": {"final": 0.0, "from": 40.0}})
     assert verdict.status is Status.INCONCLUSIVE
-    assert verdict.reason == "The trace ends at 30 s, before the window from 40 s to 40 s."
+    assert verdict.reason == "The trace ends at 30 s, before the window begins at 40 s."
 
 
 def test_what_may_still_rise_after_the_end_of_the_trace_is_inconclusive() -> None:
