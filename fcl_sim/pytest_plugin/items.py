@@ -16,10 +16,10 @@ from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.report import baselines, junit
 from fcl_sim.report.findings import of_baseline, of_envelope, of_verdict
+from fcl_sim.scenario.asked_runs import asked_of
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import RequirementText, Scenario
 from fcl_sim.scenario.reader import read
-from fcl_sim.scenario.requirements import asked_of
 from fcl_sim.testbench import Outcome, Run, run_scenario, update_baseline
 
 PACKAGE = Path(__file__).parents[1]

@@ -14,12 +14,13 @@ from fcl_sim.loop.wiring import Wiring
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
 from fcl_sim.scenario.arithmetic import in_arithmetic
+from fcl_sim.scenario.asked_runs import NOMINAL_RUN
 from fcl_sim.scenario.blocks import plain_node
 from fcl_sim.scenario.linear import LINEAR_MODELS, is_linear, linear_node, misplaced
 from fcl_sim.scenario.model import BASE, CONTROLLER, Axis, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
 from fcl_sim.scenario.ranges import ranges_of
-from fcl_sim.scenario.requirements import NOMINAL_RUN, Units, requirements_for
+from fcl_sim.scenario.requirements import Units, requirements_for
 from fcl_sim.scenario.shape import is_fuzzy
 from fcl_sim.toml.tree import NOTHING, Entry, finding
 from fcl_sim.units import parse_unit
