@@ -145,6 +145,7 @@ CODES: dict[str, str] = {
     "JDG405": "nothing is required of a run",
     "JDG406": "a run has no baseline",
     "JDG407": "a run leaves its baseline",
+    "JDG408": "a baseline is of a run that is no more",
     "MTX101": "the rules of a block are no matrix",
     "MTX102": "a file of matrices is not TOML",
     "MTX103": "a table is not a matrix",
