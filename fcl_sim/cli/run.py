@@ -16,6 +16,7 @@ from fcl_sim.cli.progress import progress
 from fcl_sim.cli.regressions import exit_code, lost_runs, print_regressions
 from fcl_sim.cli.stopwatch import Stopwatch
 from fcl_sim.cli.table import console, print_envelopes, print_runs, print_verdicts
+from fcl_sim.cli.warned import warnings
 from fcl_sim.cli.watch import watch as watch_scenarios
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.diagnostics.render import render
@@ -212,6 +213,8 @@ def _simulate(
                 outcomes.append(found)
             else:
                 faults.update(dict.fromkeys(each.within(str(file)) for each in found.diagnostics))
+    for told in warnings(outcomes):
+        say(told)
     watch.lap("simulating and judging" if is_warm else "compiling, simulating and judging")
     return outcomes, faults
 
