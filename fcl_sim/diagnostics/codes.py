@@ -9,7 +9,7 @@ RUN the run and its surroundings, WIR the wiring of a loop.
 CODES: dict[str, str] = {
     "FCL101": "a file cannot be read",
     "FCL102": "a text is too large",
-    "FCL103": "a file is not text",
+    "FCL103": "a file is no rule base",
     "FCL104": "a file is not in UTF-8",
     "FCL110": "a comment is not closed",
     "FCL111": "a comment ends that has not begun",
