@@ -266,7 +266,7 @@ def _of_metric(
     own = metric.unit.unit(unit)
     if text.relative_to is not None:
         own = parse_unit("") if text.relative_to.form is Form.RATIO else own.difference
-    what = f"a {metric.words} of `{signal}`"
+    what = _bounded(metric, signal, text.relative_to)
     minimum = converted(text.minimum, own, what, faults)
     maximum = converted(text.maximum, own, what, faults)
     faults += _crossed(text, minimum, maximum, arguments)
@@ -288,6 +288,13 @@ def _of_metric(
         span=text.span,
         asked=text.asked,
     )
+
+
+def _bounded(metric: Metric, signal: str, relative: Relative | None) -> str:
+    """Return what the bounds of a requirement are on, as a sentence begins."""
+    if relative is None:
+        return f"a {metric.words} of `{signal}`"
+    return f"the {relative.form} of the {metric.words} of `{signal}` to that of the run `{relative.variant}`"
 
 
 def _restarts(

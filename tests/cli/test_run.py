@@ -46,6 +46,14 @@ def test_warnings_of_a_rule_base_are_counted_once_and_who_tells_them_is_named(in
     assert f"{FCL}: 1 warning" in as_json.stderr
 
 
+def test_faults_of_a_rule_base_are_told_relative_to_the_current_folder_as_all_others(invoke, bench):
+    text = (bench / FCL).read_text("utf-8")
+    (bench / FCL).write_text(text.replace("RULEBLOCK", "RULEBLOK", 1), "utf-8")
+    for paths in ((), (bench,), ("scenarios",)):
+        result = invoke("run", "--no-report", *paths)
+        assert (result.exit_code, result.stderr.split(":")[0]) == (3, FCL)
+
+
 def test_a_verdict_other_than_pass_is_exit_code_1(invoke, bench):
     short = bench / "scenarios" / "crane" / "short.toml"
     short.write_text(short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"'))
