@@ -8,7 +8,7 @@ from click.core import ParameterSource
 
 from fcl_sim import testbench
 from fcl_sim.cli.against import against, print_against
-from fcl_sim.cli.benches import reports_folder, scenario_files
+from fcl_sim.cli.benches import reports_folder, scenario_files, watched_folders
 from fcl_sim.cli.coverage import check_waivers, met, print_coverage
 from fcl_sim.cli.doors import Exit, say
 from fcl_sim.cli.outputs import Outputs
@@ -134,7 +134,7 @@ def command(  # noqa: PLR0913  an option each
     files = scenario_files(paths)
     if is_watched:
         _check_alone(click.get_current_context())
-        watch_scenarios(files, overrides)
+        watch_scenarios(files, overrides, watched_folders(paths))
     folder = None if no_report else reports or reports_folder()
     trace = targets.pop("trace")
     outputs = Outputs.of(targets, form)
