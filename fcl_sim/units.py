@@ -17,6 +17,7 @@ from functools import lru_cache
 from types import MappingProxyType
 
 from fcl_sim.diagnostics.spelling import nearest
+from fcl_sim.diagnostics.unit_notations import IN_WORDS, OTHER_UNITS
 
 Dimension = tuple[int, ...]
 """Exponents of mass, length, time, current, angle, amount of substance, temperature, Celsius temperature."""
@@ -220,9 +221,15 @@ def parse_unit(text: str) -> Unit:
     power = symbol [ [ "^" | "**" ] exponent ] | "1"
     """
     unit = ONE
-    for index, product in enumerate(text.split("/")):
-        factor = _product(product, text.strip())
-        unit = unit / factor if index else unit * factor
+    try:
+        for index, product in enumerate(text.split("/")):
+            factor = _product(product, text.strip())
+            unit = unit / factor if index else unit * factor
+    except UnitError as error:
+        meant = IN_WORDS.get("".join(text.split()).casefold())
+        if meant is None or "/" not in text:
+            raise
+        raise UnitError(f"there is no unit `{text.strip()}`", f"did you mean `{meant}`?") from error
     return unit
 
 
@@ -264,9 +271,13 @@ def _symbol(text: str) -> Unit:
 def _hint(text: str) -> str:
     if text in OTHER_SPELLINGS:
         return f"did you mean `{OTHER_SPELLINGS[text]}`?"
+    if text in OTHER_UNITS:
+        return f"1 {text} is {OTHER_UNITS[text]}"
+    if text.casefold() in IN_WORDS:
+        return f"did you mean `{IN_WORDS[text.casefold()]}`?"
     known = [*SYMBOLS, *(prefix + base for base in sorted(PREFIXED) for prefix in PREFIXES)]
     by_case = [each for each in known if each.casefold() == text.casefold()]
-    near = by_case[0] if len(by_case) == 1 else nearest(text, known)
+    near = by_case[0] if len(by_case) == 1 else nearest(text, known if len(text) > 1 else ())
     if near is None:
         return "units are written as m, kg, s, min, N, kW, deg, K, degC, bar, %"
     return f"did you mean `{near}`?"
@@ -284,7 +295,7 @@ class Quantity:
         target = parse_unit(unit) if isinstance(unit, str) else unit
         if not self.unit.commensurate(target):
             message = f"{self} does not convert to {target.symbol or 'a plain number'}"
-            raise UnitError(message, _conversion_hint(self.unit, target))
+            raise UnitError(message, conversion_hint(self.unit, target))
         if self.unit.same_as(target):
             return self.value
         ratio, pi = self.unit.scale / target.scale, self.unit.pi - target.pi
@@ -297,7 +308,10 @@ class Quantity:
         return f"{short(self.value)} {self.unit.symbol}".rstrip()
 
 
-def _conversion_hint(unit: Unit, target: Unit) -> str:
+def conversion_hint(unit: Unit, target: Unit) -> str:
+    """Return how to write a quantity in `unit` that does not convert to `target`."""
+    if unit.dimension == SYMBOLS["Hz"][2] and target.dimension == SYMBOLS["rpm"][2]:
+        return f"{unit} counts no angle: revolutions per minute are written in rpm"
     if (unit.symbol, target.symbol) == ("K", "degC"):
         return "degC is a scale of its own and K is not: a temperature is written in degC, a difference in K"
     if (unit.symbol, target.symbol) == ("degC", "K"):

@@ -9,8 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from docs.units import page as units_page
+from fcl_sim.diagnostics.unit_notations import IN_WORDS, OTHER_UNITS
 from fcl_sim.units import (
+    ACCEPTED_SPELLINGS,
     ONE,
+    OTHER_SPELLINGS,
     PREFIXED,
     PREFIXES,
     SYMBOLS,
@@ -180,6 +183,47 @@ def test_a_tenth_of_a_second_is_exact() -> None:
     assert nanoseconds(parse_quantity("0.1 s")) == 100_000_000
     assert nanoseconds(parse_quantity("1 h")) == 3_600_000_000_000
     assert parse_unit("ms").scale == Fraction(1, 1000)
+
+
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        ("20 U/min", "did you mean `rpm`?"),
+        ("20 Umdr/min", "did you mean `rpm`?"),
+        ("20 u / min", "did you mean `rpm`?"),
+        ("20 rev/min", "did you mean `rpm`?"),
+        ("20 RPM", "did you mean `rpm`?"),
+        ("5 Sek", "did you mean `s`?"),
+        ("5 hrs", "did you mean `h`?"),
+        ("5 Std", "did you mean `h`?"),
+        ("5 m/sec", "did you mean `s`?"),
+        ("90 Grad", "did you mean `deg`?"),
+        ("20 Celsius", "did you mean `degC`?"),
+        ("20 ° C", "did you mean `degC`?"),
+        ("30 Prozent", "did you mean `%`?"),
+        ("30 kp", "1 kp is 9.80665 N"),
+        ("100 PS", "1 PS is 735.49875 W"),
+        ("5 U", "units are written as m, kg, s, min, N, kW, deg, K, degC, bar, %"),
+    ],
+)
+def test_what_people_write_elsewhere_leads_to_our_unit(text: str, hint: str) -> None:
+    with pytest.raises(UnitError) as caught:
+        parse_quantity(text)
+    assert caught.value.hint == hint
+
+
+def test_every_hint_names_a_unit_that_is_read_and_meets_what_was_meant() -> None:
+    for other, own in {**OTHER_SPELLINGS, **IN_WORDS}.items():
+        parse_unit(own)
+        assert other in ACCEPTED_SPELLINGS or other not in SYMBOLS
+    for own in OTHER_UNITS.values():
+        parse_quantity(own)
+
+
+def test_a_speed_of_rotation_is_not_a_frequency() -> None:
+    with pytest.raises(UnitError) as caught:
+        parse_quantity("20 1/min").to("rpm")
+    assert caught.value.hint == "1/min counts no angle: revolutions per minute are written in rpm"
 
 
 @pytest.mark.parametrize(

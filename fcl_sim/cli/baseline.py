@@ -12,6 +12,7 @@ import click
 from fcl_sim import testbench
 from fcl_sim.cli.benches import PACKAGE, scenario_files
 from fcl_sim.cli.progress import progress
+from fcl_sim.cli.regressions import told_lost
 from fcl_sim.diagnostics import Diagnostic, InputFault
 from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Status
@@ -98,6 +99,8 @@ def show(*, paths: tuple[Path, ...], variants: tuple[str, ...]) -> None:
                 click.echo(f"{scenario.name} {variant}: {baselines.accepted(found)}")
                 for line in baselines.figures(found):
                     click.echo(f"  {line}")
+        for lost in testbench.lost_runs(scenario) if not variants else ():
+            click.echo(told_lost(lost))
 
 
 def _not_shipped(files: Sequence[Path]) -> None:

@@ -55,6 +55,11 @@ def scenario_files(paths: tuple[Path, ...]) -> tuple[Path, ...]:
     return tuple(found)
 
 
+def watched_folders(paths: tuple[Path, ...]) -> tuple[Path, ...]:
+    """Return the folders under which `scenario_files` looks for scenarios."""
+    return tuple(path for path in paths or (default_bench(),) if path.is_dir())
+
+
 def _is_named(path: Path) -> bool:
     return path.is_file() and path.absolute().parent.name != BASELINES
 

@@ -36,6 +36,7 @@ from fcl_sim.proof.told_law import law_json, law_lines
 from fcl_sim.proof.universe import Asked, Universe, UniverseError, without_end
 from fcl_sim.proof.words import quoted
 from fcl_sim.scenario.bench import bench_of
+from fcl_sim.scenario.kinds import File, check_kind
 from fcl_sim.verify.visited import Key, Visits, joined, visits_of
 from fcl_sim.verify.waive import waive
 
@@ -129,6 +130,9 @@ def command(  # noqa: PLR0913  an option each
     `fcl-sim explain CODE` tells more about a finding.
     """
     asked = Asked(stretches, couplings)
+    for report in reports:
+        if report.is_file():
+            check_kind(report, File.RESULTS, "VER205")
     proof = _Proof(asked, uses_of(scenarios), epsilon, Budget(budget), visits_of(reports), laws=laws)
     statements = [target(each) for each in targets]
     files, faults = rule_bases(paths)

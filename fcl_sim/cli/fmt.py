@@ -16,7 +16,7 @@ from fcl_sim.cli.doors import Exit, say
 from fcl_sim.cli.rule_bases import rule_bases
 from fcl_sim.diagnostics import InputFault, Source
 from fcl_sim.diagnostics.render import render_all
-from fcl_sim.fcl.files import open_source, source_of
+from fcl_sim.fcl.files import check_ending, open_source, source_of
 from fcl_sim.fcl.rewrite import rewrite
 
 LEVELS = ("open", "basic")
@@ -79,6 +79,7 @@ def _rewritten(path: Path, *, basic: bool) -> _Text:
         content = sys.stdin.buffer.read()
         source = source_of(content, "<stdin>")
     else:
+        check_ending(path)
         open_source(path)  # says what is wrong with a file that cannot be read
         content = path.read_bytes()
         source = source_of(content, str(path))

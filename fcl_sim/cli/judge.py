@@ -11,6 +11,7 @@ from fcl_sim.judge.verdict import Status, worst
 from fcl_sim.loop.trace_reader import read as read_trace
 from fcl_sim.report import results, summary
 from fcl_sim.report.words import counted
+from fcl_sim.scenario.kinds import File, check_kind
 from fcl_sim.scenario.reader import read
 
 
@@ -34,6 +35,7 @@ def command(*, trace: Path, scenario_file: Path, variant: str, as_json: bool) ->
     TRACE is a .csv with a header `time [s],NAME [UNIT],...` or a .npz that `fcl-sim run --trace` wrote.
     """
     scenario = read(scenario_file)
+    check_kind(trace, File.TRACE, "JDG301")
     verdicts = testbench.judge_trace(read_trace(trace), scenario, variant)
     if as_json:
         click.echo(results.recorded(trace.as_posix(), scenario, variant, verdicts), nl=False)

@@ -5,7 +5,9 @@ from collections.abc import Sequence
 
 import click
 
+from fcl_sim import testbench
 from fcl_sim.cli.doors import Exit
+from fcl_sim.diagnostics import Diagnostic
 from fcl_sim.judge.verdict import Status, worst
 from fcl_sim.report import baselines, summary
 from fcl_sim.scenario.document import shown
@@ -29,16 +31,32 @@ def print_regressions(outcomes: Sequence[Outcome]) -> None:
         if missing or any(list(baselines.lines(run)) for run in outcome.variants.values()):
             file = shlex.quote(shown(outcome.scenario.path))
             click.echo(f'  If that is meant: fcl-sim baseline update {file} --reason "..."')
+    for lost in lost_runs(outcomes):
+        click.echo(f"\n{told_lost(lost)}")
     told_all = baselines.sentence(outcomes)
     if told_all:
         click.echo(told_all)
 
 
+def lost_runs(outcomes: Sequence[Outcome]) -> list[Diagnostic]:
+    """Return a finding for each baseline of a run that is no more."""
+    return [lost for outcome in outcomes for lost in testbench.lost_runs(outcome.scenario)]
+
+
+def told_lost(lost: Diagnostic) -> str:
+    """Return what is told of a baseline of a run that is no more, with its mend in a line of its own."""
+    mend = f"{lost.hint[0].upper()}{lost.hint[1:]}."
+    return f"{lost.places[0].name} {lost.message.removeprefix('this ')}.\n  {mend}"
+
+
 def exit_code(outcomes: Sequence[Outcome]) -> Exit:
-    """Return 1 where a requirement is missed or a run broke down, 4 where only baselines are not kept."""
+    """Return 1 where a requirement is missed or a run broke down, 4 where only baselines are not kept.
+
+    A baseline is not kept either where its run is no more.
+    """
     runs = [run for outcome in outcomes for run in outcome.variants.values()]
     if worst([run.verdict for run in runs]) is Status.PASS:
-        return Exit.GREEN
+        return Exit.BASELINE if lost_runs(outcomes) else Exit.GREEN
     verdicts = [verdict.status for run in runs for verdict in summary.verdicts_of(run)]
     broke_down = any(run.trace.fault is not None for run in runs)
     compared = all(run.compared is not None for run in runs)

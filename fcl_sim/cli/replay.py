@@ -17,6 +17,7 @@ from fcl_sim.loop import trace_file
 from fcl_sim.loop.trace_reader import read
 from fcl_sim.proof.told_gaps import instead
 from fcl_sim.report.words import counted
+from fcl_sim.scenario.kinds import File, check_kind
 from fcl_sim.verify.replay import Comparison, Deviation, Replay, replay
 
 SCHEMA = 1
@@ -76,6 +77,7 @@ def command(  # noqa: PLR0913  an option each
     have the names of the variables, or end in `.VARIABLE`. Without one for an output the outputs are printed.
     """
     loaded = load(file, block)
+    check_kind(log, File.TRACE, "JDG301")
     found = replay(
         loaded,
         read(log),

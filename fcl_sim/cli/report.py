@@ -8,9 +8,11 @@ import click
 from fcl_sim.cli.benches import reports_folder
 from fcl_sim.cli.progress import progress
 from fcl_sim.cli.stopwatch import Stopwatch
+from fcl_sim.diagnostics import InputFault
 from fcl_sim.report import archive, writer
 from fcl_sim.report.provenance import date_asked
 from fcl_sim.scenario.document import shown
+from fcl_sim.scenario.kinds import RESULTS, File, check_kind
 
 RULE_BASE = ".fcl"
 
@@ -27,10 +29,10 @@ def command(
 ) -> None:
     """Write the report of a run from what it has stored, or that of a rule base alone.
 
-    RESULTS.json is what `fcl-sim run` has written, with the runs beside it in RESULTS.npz; nothing is
-    simulated. The report is written into the same folder; that of some SCENARIOs alone, by their names,
-    into a folder in there. The report of FILE.fcl is FILE.pdf in reports/: terms, rules, characteristic,
-    findings.
+    RESULTS.json is what `fcl-sim run` has written, with the runs beside it in RESULTS.npz, or the folder
+    of a results.json; nothing is simulated. The report is written into the same folder; that of some
+    SCENARIOs alone, by their names, into a folder in there. The report of FILE.fcl is FILE.pdf in
+    reports/: terms, rules, characteristic, findings.
     """
     watch = Stopwatch(click.get_current_context().obj)
     if file.suffix.lower() == RULE_BASE:
@@ -49,6 +51,9 @@ def command(
 def _of_results(
     file: Path, scenarios: tuple[str, ...], reports: Path | None, watch: Stopwatch, **also: bool
 ) -> list[Path]:
+    if file.is_dir():
+        file = _inside(file)
+    check_kind(file, File.RESULTS, "RUN204")
     stored = archive.chosen(archive.read(file), scenarios)
     asked = date_asked()
     source = None if scenarios or asked else file
@@ -59,3 +64,11 @@ def _of_results(
     folder = reports or file.parent.joinpath(*part)
     with progress("writing reports") as advance:
         return writer.write_stored(stored, folder, advance, lap=watch.lap, source=source, **also)
+
+
+def _inside(folder: Path) -> Path:
+    """Return the results in a folder; InputFault where there are none."""
+    if (folder / RESULTS).is_file():
+        return folder / RESULTS
+    hint = "`fcl-sim run` writes it into reports/, or into the folder that --reports names"
+    raise InputFault.at_file("RUN204", shown(folder), f"there is no {RESULTS} in this folder", hint)

@@ -8,16 +8,18 @@ from click.core import ParameterSource
 
 from fcl_sim import testbench
 from fcl_sim.cli.against import against, print_against
-from fcl_sim.cli.benches import reports_folder, scenario_files
+from fcl_sim.cli.benches import reports_folder, scenario_files, watched_folders
 from fcl_sim.cli.coverage import check_waivers, met, print_coverage
-from fcl_sim.cli.doors import Exit
+from fcl_sim.cli.doors import Exit, say
 from fcl_sim.cli.outputs import Outputs
 from fcl_sim.cli.progress import progress
-from fcl_sim.cli.regressions import exit_code, print_regressions
+from fcl_sim.cli.regressions import exit_code, lost_runs, print_regressions
 from fcl_sim.cli.stopwatch import Stopwatch
 from fcl_sim.cli.table import console, print_envelopes, print_runs, print_verdicts
+from fcl_sim.cli.warned import warnings
 from fcl_sim.cli.watch import watch as watch_scenarios
 from fcl_sim.diagnostics import Diagnostic, InputFault
+from fcl_sim.diagnostics.render import render
 from fcl_sim.judge.verdict import Status
 from fcl_sim.kernel_cache import cache_folder
 from fcl_sim.loop import trace_file
@@ -132,7 +134,7 @@ def command(  # noqa: PLR0913  an option each
     files = scenario_files(paths)
     if is_watched:
         _check_alone(click.get_current_context())
-        watch_scenarios(files, overrides)
+        watch_scenarios(files, overrides, watched_folders(paths))
     folder = None if no_report else reports or reports_folder()
     trace = targets.pop("trace")
     outputs = Outputs.of(targets, form)
@@ -146,7 +148,8 @@ def command(  # noqa: PLR0913  an option each
         _print(outcomes, verbose=verbose)
         if older is not None:
             print_against(outcomes, older, console())
-    written = outputs.write(outcomes, faults)
+    lost = lost_runs(outcomes)
+    written = outputs.write(outcomes, [*faults, *lost])
     if faults:
         raise InputFault(faults)  # no report either: it would not say what is missing
     covered = testbench.coverage(outcomes, least)
@@ -154,6 +157,8 @@ def command(  # noqa: PLR0913  an option each
     check_waivers(covered)
     if as_json:
         click.echo(results.text(outcomes, covered), nl=False)
+        for each in lost:
+            say(render(each))
     else:
         _print_coverage(covered, whole=show_coverage)
     written += _write_traces(outcomes, trace) if trace else []
@@ -208,6 +213,8 @@ def _simulate(
                 outcomes.append(found)
             else:
                 faults.update(dict.fromkeys(each.within(str(file)) for each in found.diagnostics))
+    for told in warnings(outcomes):
+        say(told)
     watch.lap("simulating and judging" if is_warm else "compiling, simulating and judging")
     return outcomes, faults
 

@@ -21,6 +21,7 @@ from fcl_sim.report.html.live import Live, served
 from fcl_sim.report.html.markup import Markup
 from fcl_sim.report.html.page import scenario_section, stretches_for
 from fcl_sim.report.provenance import inputs_of
+from fcl_sim.scenario.bench import scenarios_below
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.reader import read
 from fcl_sim.testbench import Against, Outcome
@@ -28,6 +29,9 @@ from fcl_sim.testbench.running import outcome_of
 
 GLANCE = 0.05
 """Seconds between two looks at the files."""
+
+ROUND = 20
+"""After so many looks at the files it is looked for new ones."""
 
 MOST_GLANCES = 40
 """After so many looks a file that is gone, or is written all the time, is taken as it is."""
@@ -37,57 +41,84 @@ Stamp = tuple[int, int]
 Stamps = dict[Path, Stamp | None]
 
 
-def watch(files: Sequence[Path], overrides: Mapping[str, object]) -> NoReturn:
+def watch(files: Sequence[Path], overrides: Mapping[str, object], folders: Sequence[Path] = ()) -> NoReturn:
     """Run scenarios, show them on a page, and again whenever a file that they depend on is saved.
 
-    Nothing is written. Ctrl-C ends it.
+    Scenarios that come into one of the `folders` are followed, too. Nothing is
+    written. Ctrl-C ends it.
     """
-    bench, live, versions = Bench(files, overrides), Live(), count(1)
+    bench, live, versions = Bench(list(files), overrides, folders), Live(), count(1)
     with progress("simulating") as advance:
         broken = [fault for _, faults in bench.run(files, advance=advance) for fault in faults]
     print_runs(list(summary.run_rows(bench.known)), console())
     _show(bench, live, next(versions))
-    _warn(live, broken)
+    _warn(bench, live, broken)
     with served(live) as address:
         click.echo(f"\nopen {address} ({len(bench.inputs)} files are watched; Ctrl-C ends it)")
         for changed in saved(bench):
             begun, new, broken = time.perf_counter(), [], []
             label = ", ".join(sorted(each.name for each in changed))
+            told = told_of(changed)
+            if bench.forget(changed):
+                _show(bench, live, next(versions))
             for outcome, faults in bench.run(bench.affected(changed), label):
                 broken += faults
                 if outcome is not None:
                     new.append(outcome)
                     _show(bench, live, next(versions))
             took = time.perf_counter() - begun
-            names = ", ".join(sorted(shown(each) for each in changed))
-            click.echo(f"\n{time.strftime('%H:%M:%S')} {names} was saved: {took:.2f} s")
-            _warn(live, broken)
+            click.echo(f"\n{time.strftime('%H:%M:%S')} {told}: {took:.2f} s")
+            _warn(bench, live, broken)
             for outcome in new:
-                print_changes(outcome, console())
+                _print(outcome)
     raise AssertionError  # the files are watched until somebody interrupts
+
+
+def told_of(changed: Iterable[Path]) -> str:
+    """Return which files were saved and which were deleted."""
+    gone: dict[bool, list[str]] = {False: [], True: []}
+    for file in changed:
+        gone[not file.exists()].append(shown(file))
+    words = {False: "saved", True: "deleted"}
+    told = [f"{', '.join(sorted(each))} was {words[is_gone]}" for is_gone, each in gone.items() if each]
+    return " and ".join(told)
 
 
 def _show(bench: "Bench", live: Live, version: int) -> None:
     live.show(version, bench.page(version))
 
 
-def _warn(live: Live, broken: Sequence[Diagnostic]) -> None:
-    """Tell here and above the page what cannot be run; it stays as it was."""
+def _print(outcome: Outcome) -> None:
+    """Print what changed in a scenario; how it did, where it was not run before."""
+    if outcome.against is None:
+        print_runs(list(summary.run_rows([outcome])), console())
+    else:
+        print_changes(outcome, console())
+
+
+def _warn(bench: "Bench", live: Live, broken: Sequence[Diagnostic]) -> None:
+    """Tell here what cannot be run now, and above the page what still cannot; it stays as it was."""
     if broken:
-        text = str(InputFault(dict.fromkeys(broken)))
-        say(text)
-        live.warn(text)
+        say(str(InputFault(dict.fromkeys(broken))))
+    standing = [each for faults in bench.broken.values() for each in faults]
+    if standing:
+        live.warn(str(InputFault(dict.fromkeys(standing))))
 
 
 @dataclass
 class Bench:
-    """Scenarios that are watched: what came of each last time, and what each depends on."""
+    """Scenarios that are watched: what came of each last time, what each depends on, which cannot be run.
 
-    files: Sequence[Path]
+    Those that come into one of its folders join them, and leave when they are deleted there.
+    """
+
+    files: list[Path]
     overrides: Mapping[str, object]
+    folders: Sequence[Path] = ()
     outcomes: dict[Path, Outcome] = field(default_factory=dict)
     depends: dict[Path, set[Path]] = field(default_factory=dict)
     sections: dict[Path, tuple[Outcome, int, Markup]] = field(default_factory=dict)
+    broken: dict[Path, tuple[Diagnostic, ...]] = field(default_factory=dict)
 
     @property
     def known(self) -> list[Outcome]:
@@ -98,6 +129,30 @@ class Bench:
     def inputs(self) -> set[Path]:
         """The files that any scenario depends on."""
         return set().union(*self.depends.values())
+
+    def join(self) -> list[Path]:
+        """Take scenarios that have come into its folders; return them."""
+        found = [file for folder in self.folders for file in scenarios_below(folder)]
+        new = [
+            file for file in dict.fromkeys(found) if file not in self.files and not _is_lacking(_stamp(file))
+        ]
+        self.files += new
+        self.depends |= {file: {file} for file in new}
+        return new
+
+    def forget(self, changed: Iterable[Path]) -> bool:
+        """Leave out the scenarios that were deleted from its folders; return whether there were any."""
+        gone = [file for file in self.files if file in changed and not file.exists() and self._is_below(file)]
+        for file in gone:
+            self.files.remove(file)
+            self.outcomes.pop(file, None)
+            self.depends.pop(file, None)
+            self.sections.pop(file, None)
+            self.broken.pop(file, None)
+        return bool(gone)
+
+    def _is_below(self, file: Path) -> bool:
+        return any(file.is_relative_to(folder) for folder in self.folders)
 
     def affected(self, changed: Iterable[Path]) -> list[Path]:
         """Return the scenarios that depend on any of these files."""
@@ -118,7 +173,9 @@ class Bench:
             made = _nominal(file, self.overrides)
         except InputFault as fault:
             self.depends[file] |= {Path(place.name) for each in fault.diagnostics for place in each.places}
-            return None, tuple(each.within(str(file)) for each in fault.diagnostics)
+            self.broken[file] = tuple(each.within(str(file)) for each in fault.diagnostics)
+            return None, self.broken[file]
+        self.broken.pop(file, None)
         before = self.outcomes.get(file)
         if before is not None:
             made = replace(made, against=Against(label=f"before {label} was saved", runs=before.variants))
@@ -151,10 +208,12 @@ def _nominal(file: Path, overrides: Mapping[str, object]) -> Outcome:
 
 
 def saved(bench: Bench) -> Iterator[set[Path]]:
-    """Yield the files that were saved, once they are whole, for ever."""
+    """Yield the files that were saved, came or were deleted, once they are whole, for ever."""
     stamps = _stamps(bench.inputs)
-    while True:
+    for turn in count(1):
         time.sleep(GLANCE)
+        if turn % ROUND == 0:
+            stamps |= dict.fromkeys(bench.join())  # as if they had not been there
         now = _stamps(bench.inputs)
         changed = _changed(stamps, now)
         if not changed:

@@ -9,7 +9,7 @@ RUN the run and its surroundings, WIR the wiring of a loop.
 CODES: dict[str, str] = {
     "FCL101": "a file cannot be read",
     "FCL102": "a text is too large",
-    "FCL103": "a file is not text",
+    "FCL103": "a file is no rule base",
     "FCL104": "a file is not in UTF-8",
     "FCL110": "a comment is not closed",
     "FCL111": "a comment ends that has not begun",
@@ -145,6 +145,7 @@ CODES: dict[str, str] = {
     "JDG405": "nothing is required of a run",
     "JDG406": "a run has no baseline",
     "JDG407": "a run leaves its baseline",
+    "JDG408": "a baseline is of a run that is no more",
     "MTX101": "the rules of a block are no matrix",
     "MTX102": "a file of matrices is not TOML",
     "MTX103": "a table is not a matrix",

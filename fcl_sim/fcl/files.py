@@ -17,16 +17,39 @@ _MOST_CONTROLS = 0.05
 """Share of control characters above which a file is not a text."""
 
 
+OTHER_KINDS = {
+    ".toml": "a TOML file",
+    ".json": "a JSON file",
+    ".csv": "a table in CSV",
+    ".npz": "a file of numbers",
+    ".pdf": "a PDF",
+    ".html": "a page for a browser",
+    ".png": "a picture",
+    ".svg": "a picture",
+    ".py": "Python",
+}
+"""What is no FCL by the ending of its name."""
+
+
 def read_file(path: str | os.PathLike[str]) -> Reading:
     """Return what `read` returns for a file's text, with a warning where it is not in UTF-8.
 
-    Raise `InputFault` as `open_source` does.
+    Raise `InputFault` as `open_source` does, and for a file of another kind by its name.
     """
     source, encoding = _open(path)
+    check_ending(path)
     reading = read(source.text, source.name)
     if not encoding:
         return reading
     return Reading(reading.blocks, in_order((_foreign(source, encoding), *reading.diagnostics)))
+
+
+def check_ending(path: str | os.PathLike[str]) -> None:
+    """Raise `InputFault` where the name of a file says that it is no rule base."""
+    kind = OTHER_KINDS.get(Path(path).suffix.lower())
+    if kind is not None:
+        hint = "a rule base is a .fcl file; `fcl-sim run` takes scenarios, which are .toml files"
+        raise InputFault.at_file("FCL103", os.fspath(path), f"this is {kind}, not a rule base", hint)
 
 
 def open_source(path: str | os.PathLike[str]) -> Source:

@@ -14,6 +14,7 @@ from fcl_sim.formula.functions import FUNCTIONS, Function
 from fcl_sim.formula.text import fault
 from fcl_sim.formula.tokens import Kind, Token
 from fcl_sim.formula.tree import Arithmetic, Expression, Number, Signal
+from fcl_sim.units import UnitError, parse_unit
 
 DEEPEST = 30
 LONGEST = 2_000
@@ -72,13 +73,25 @@ class Parser:
 
     def unexpected(self, message: str, hint: str = "") -> Exception:
         """Return the fault of the token that is looked at."""
+        hint = self._whole_unit() or hint
         return fault("JDG201", f"{message}, before {self.next.shown}", self.next.span, hint)
 
     def ended(self, hint: str = "") -> None:
         """Find the end of the formula here, or else a fault."""
         if self.next.kind is not Kind.END:
             message = f"{self.next.shown} does not belong here: the formula has ended before it"
-            raise fault("JDG201", message, self.next.span, hint)
+            raise fault("JDG201", message, self.next.span, self._whole_unit() or hint)
+
+    def _whole_unit(self) -> str:
+        """Return a hint where a blank parts the token that is looked at from the unit that it belongs to."""
+        before = self.tokens[self.at - 1] if self.at else self.next
+        if before.quantity is None or not before.quantity.unit.symbol or self.next.kind is not Kind.NAME:
+            return ""
+        try:
+            parse_unit(self.next.text)
+        except UnitError:
+            return ""
+        return f"a unit has no blanks in a formula: write `{before.text}*{self.next.text}`"
 
     def inner(self) -> Found:
         """Parse what may stand in parentheses."""

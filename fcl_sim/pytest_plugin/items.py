@@ -16,11 +16,11 @@ from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.report import baselines, junit
 from fcl_sim.report.findings import of_baseline, of_envelope, of_verdict
+from fcl_sim.scenario.asked_runs import asked_of
 from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import RequirementText, Scenario
 from fcl_sim.scenario.reader import read
-from fcl_sim.scenario.requirements import asked_of
-from fcl_sim.testbench import Outcome, Run, run_scenario, update_baseline
+from fcl_sim.testbench import Outcome, Run, lost_runs, run_scenario, update_baseline
 
 PACKAGE = Path(__file__).parents[1]
 
@@ -39,14 +39,16 @@ class ScenarioFile(pytest.File):
     scenario: Scenario
     outcome: Outcome | None = None
 
-    def collect(self) -> Iterator["RunNode"]:
-        """Yield the runs, the base run first."""
+    def collect(self) -> Iterator["RunNode | LostRunItem"]:
+        """Yield the runs, the base run first, and the baselines of those that are no more."""
         try:
             self.scenario = read(_as_called(self.path))
         except InputFault as fault:
             raise self.CollectError(render_all(fault.diagnostics)) from None
         for variant in self.scenario.variants:
             yield RunNode.from_parent(self, name=variant)
+        for lost in lost_runs(self.scenario):
+            yield LostRunItem.from_parent(self, name=Path(lost.places[0].name).name, lost=lost)
 
     def setup(self) -> None:
         """Simulate and judge; what is wrong with its files is an error of every item."""
@@ -79,11 +81,45 @@ class RunNode(pytest.Collector):
         yield BaselineItem.from_parent(self, name=junit.OF_BASELINE)
 
 
-class RunItem(pytest.Item):
-    """Something that a run is held against."""
+class ScenarioItem(pytest.Item):
+    """Something that a scenario is held against; its own exception is told from its place in there."""
 
     line = 0
     """Where it stands in the scenario, from 0."""
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
+        """Return what is told of a failure, placed where the requirement stands."""
+        if not isinstance(excinfo.value, Missed):
+            return super().repr_failure(excinfo, style)
+        told = super().repr_failure(excinfo, "value")
+        place = getattr(told, "reprcrash", None)
+        if place is not None:
+            place.path, place.lineno = str(self.path), self.line + 1
+            place.message = excinfo.value.finding.message
+        return told
+
+
+class LostRunItem(ScenarioItem):
+    """A baseline of a run that the scenario no longer has: it fails."""
+
+    def __init__(self, *, lost: Diagnostic, **given: Any) -> None:
+        super().__init__(**given)
+        self.lost = lost
+        assert isinstance(self.parent, ScenarioFile)  # noqa: S101  it made this item
+        self.scenario = self.parent.scenario
+        self.add_marker(pytest.mark.fcl_sim(scenario=self.scenario.name, baseline=True))
+
+    def reportinfo(self) -> tuple[PathLike[str], int, str]:
+        """Return the scenario, and its heading."""
+        return self.path, self.line, f"{self.scenario.name} {self.name}"
+
+    def runtest(self) -> None:
+        """Fail: what becomes of the run is not seen any more."""
+        raise Missed(self.lost)
+
+
+class RunItem(ScenarioItem):
+    """Something that a run is held against."""
 
     def __init__(self, **given: Any) -> None:
         super().__init__(**given)
@@ -116,17 +152,6 @@ class RunItem(pytest.Item):
     def reportinfo(self) -> tuple[PathLike[str], int, str]:
         """Return its place in the scenario, and its heading."""
         return self.path, self.line, f"{self.scenario.name} {self.node.name} {self.name}"
-
-    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Return what is told of a failure, placed where the requirement stands."""
-        if not isinstance(excinfo.value, Missed):
-            return super().repr_failure(excinfo, style)
-        told = super().repr_failure(excinfo, "value")
-        place = getattr(told, "reprcrash", None)
-        if place is not None:
-            place.path, place.lineno = str(self.path), self.line + 1
-            place.message = excinfo.value.finding.message
-        return told
 
 
 class RequirementItem(RunItem):

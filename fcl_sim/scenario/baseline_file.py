@@ -8,7 +8,7 @@ import hashlib
 import json
 import os
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -64,6 +64,31 @@ def read(scenario: Path, variant: str) -> Baseline | None:
         return _baseline(given, file)
     except (ValueError, RecursionError) as error:  # tomllib's and pydantic's among them
         raise _faults(file, error) from error
+
+
+def of_no_run(scenario: Path, variants: Container[str]) -> tuple[Path, ...]:
+    """Return the baselines of runs of a scenario that it no longer has: of none of its `variants`.
+
+    A file belongs to the scenario and the variant by whose names it would be
+    found. Its `variant` says where the one ends and the other begins, as
+    scenarios may have dots in their names; what does not say it is no baseline.
+    """
+    begin = f"{scenario.stem}.".encode()[:LONGEST].decode(errors="ignore")
+    files = sorted((scenario.parent / BASELINES).glob("*.toml"))
+    named = [(_variant_in(file), file) for file in files if file.name.startswith(begin)]
+    return tuple(
+        file
+        for variant, file in named
+        if variant is not None and variant not in variants and path_of(scenario, variant) == file
+    )
+
+
+def _variant_in(file: Path) -> str | None:
+    try:
+        variant = tomllib.loads(file.read_text("utf-8")).get("variant")
+    except (OSError, ValueError, RecursionError):
+        return None
+    return variant if isinstance(variant, str) else None
 
 
 def _faults(file: SourceFile, error: Exception) -> InputFault:

@@ -14,12 +14,14 @@ from fcl_sim.loop.wiring import Wiring
 from fcl_sim.plant.catalog import PlantModel, find
 from fcl_sim.plant.declaration import Parameter, State
 from fcl_sim.scenario.arithmetic import in_arithmetic
+from fcl_sim.scenario.asked_runs import NOMINAL_RUN
 from fcl_sim.scenario.blocks import plain_node
+from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.linear import LINEAR_MODELS, is_linear, linear_node, misplaced
 from fcl_sim.scenario.model import BASE, CONTROLLER, Axis, Entries, PlantSetup, Scenario, Setup
 from fcl_sim.scenario.quantities import converted
 from fcl_sim.scenario.ranges import ranges_of
-from fcl_sim.scenario.requirements import NOMINAL_RUN, Units, requirements_for
+from fcl_sim.scenario.requirements import Units, requirements_for
 from fcl_sim.scenario.shape import is_fuzzy
 from fcl_sim.toml.tree import NOTHING, Entry, finding
 from fcl_sim.units import parse_unit
@@ -125,8 +127,8 @@ def setup_called(scenario: Scenario, variant: str) -> Setup:
 
 
 def _plant(scenario: Scenario, setup: PlantSetup, faults: Faults) -> PlantNode | None:
-    wires = {name: wire_of(entry) for name, entry in setup.inputs.items()}
     if is_linear(setup):
+        wires = {name: wire_of(entry) for name, entry in setup.inputs.items()}
         return linear_node(setup, wires, faults)
     faults += misplaced(setup)
     try:
@@ -136,12 +138,15 @@ def _plant(scenario: Scenario, setup: PlantSetup, faults: Faults) -> PlantNode |
         faults += [each if each.places else replace(each, places=place) for each in fault.diagnostics]
         return None
     declaration = model.declaration
+    known = {each.name for each in declaration.inputs}
     return PlantNode(
         name=setup.name,
         model=model,
         parameters=_values("parameter", declaration.parameters, setup.parameters, model, faults),
         start=_values("state", declaration.states, setup.start, model, faults),
-        inputs=wires,
+        inputs={
+            name: wire_of(_placed(entry, is_known=name in known)) for name, entry in setup.inputs.items()
+        },
         span=setup.span,
     )
 
@@ -189,7 +194,8 @@ def _node(
     if is_fuzzy(block):
         called = block.get("block")
         try:
-            loaded = load_block(setup.rule_bases[name], str(called.value) if called else None)
+            file = Path(shown(setup.rule_bases[name]))  # as messages name it
+            loaded = load_block(file, str(called.value) if called else None)
         except InputFault as fault:
             faults += fault.diagnostics
             return None
@@ -198,7 +204,10 @@ def _node(
 
 
 def _fuzzy_node(name: str, block: Entry, loaded: Block, scope: Scope | None, faults: Faults) -> FuzzyNode:
-    wires = {port: _wired(entry, scope, faults) for port, entry in block.table["inputs"].table.items()}
+    wires = {
+        port: _wired(_placed(entry, is_known=port in loaded.inputs), scope, faults)
+        for port, entry in block.table["inputs"].table.items()
+    }
     units = block.get("units")
     declared = {key: str(entry.value) for key, entry in (units.table if units else NOTHING).items()}
     node = FuzzyNode(name=name, block=loaded, inputs=wires, units=declared, span=block.key)
@@ -219,6 +228,11 @@ def wire_of(entry: Entry) -> Wire:
     """Return the wire that a text names: a signal's path, behind a minus for its negative."""
     text = str(entry.value).replace(" ", "")
     return Wire(text.removeprefix("-"), -1.0 if text.startswith("-") else 1.0, entry.span)
+
+
+def _placed(entry: Entry, *, is_known: bool) -> Entry:
+    """Return a wire that stands where its input is named if there is no such input: that is what is wrong."""
+    return entry if is_known else replace(entry, span=entry.key)
 
 
 def _wired(entry: Entry, scope: Scope | None, faults: Faults) -> Wire:

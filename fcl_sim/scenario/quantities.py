@@ -2,7 +2,7 @@
 
 from fcl_sim.diagnostics import Diagnostic
 from fcl_sim.toml.tree import Entry, finding
-from fcl_sim.units import Unit, UnitError, parse_quantity
+from fcl_sim.units import Unit, UnitError, conversion_hint, parse_quantity
 
 
 def converted(entry: Entry | None, unit: Unit, what: str, faults: list[Diagnostic]) -> float | None:
@@ -23,16 +23,16 @@ def converted(entry: Entry | None, unit: Unit, what: str, faults: list[Diagnosti
     except UnitError as error:
         faults.append(finding("SCN404", f"{what}: {error}", entry, error.hint))
         return None
-    faults.append(_misfit(entry, str(quantity.unit), unit, what))
+    faults.append(_misfit(entry, quantity.unit, unit, what))
     return None
 
 
-def _misfit(entry: Entry, given: str, unit: Unit, what: str) -> Diagnostic:
-    if given == "1":
+def _misfit(entry: Entry, given: Unit, unit: Unit, what: str) -> Diagnostic:
+    if not given.symbol:
         message, hint = f"{what} is in {unit}, and this has no unit", f'write "{entry.value} {unit}"'
     elif unit.symbol:
         message = f"{what} is in {unit}, and this is in {given}"
-        hint = f"write it in {unit}, or in a unit that converts to it"
+        hint = conversion_hint(given, unit)
     else:
         message, hint = f"{what} is a plain number, and this is in {given}", "write the number alone"
     return finding("SCN404", message, entry, hint)

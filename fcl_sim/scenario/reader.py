@@ -10,6 +10,7 @@ from fcl_sim.diagnostics import InputFault
 from fcl_sim.scenario.bench import bench_of, name_of
 from fcl_sim.scenario.document import SCENARIO, parse
 from fcl_sim.scenario.envelope import envelope_faults
+from fcl_sim.scenario.kinds import File, check_kind
 from fcl_sim.scenario.model import BASE, Axis, Scenario, Setup
 from fcl_sim.scenario.overrides import overrides_tree
 from fcl_sim.scenario.points import check_values
@@ -28,6 +29,7 @@ def read(path: Path | str, overrides: Mapping[str, Any] | None = None) -> Scenar
     that. InputFault carries every fault of the scenario, its controllers and
     its requirements; what needs the plant or the rule base is looked up by `bind`.
     """
+    check_kind(Path(path), File.SCENARIO, "RUN105")
     reading = Reading(Path(path))
     file = reading.open(reading.path, SCENARIO)
     if file is None:

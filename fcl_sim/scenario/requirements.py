@@ -6,11 +6,12 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
-from fcl_sim.diagnostics import Diagnostic, InputFault, Place, Span, nearest
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place, nearest
 from fcl_sim.diagnostics.spelling import listed
 from fcl_sim.judge.metric import RESTART_AT, WINDOW, Argument, Kind, Metric
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Form, Over, Relative, Requirement
+from fcl_sim.scenario.asked_runs import NOMINAL_RUN, RUNS, asked_of, asked_runs, expected, run_faults
 from fcl_sim.scenario.corridors import corridor_of, corridor_text
 from fcl_sim.scenario.envelope import over_of, points_asked
 from fcl_sim.scenario.formulae import in_units, statement_of
@@ -21,10 +22,6 @@ from fcl_sim.toml.tree import Entry, finding
 from fcl_sim.units import Unit, parse_unit
 
 SIGNAL = "signal"
-RUNS = "runs"
-"""The runs that a requirement is asked of."""
-BY_RUN = ("expect", "at_least")
-"""What may be said by run."""
 KINDS = ("metric", "formula", "corridor")
 """What a requirement asks; it has one of them."""
 ASKED = ("formula", "corridor", "min", "max")
@@ -39,8 +36,6 @@ class Units:
     constants: Mapping[str, str] = field(default_factory=dict)
 
 
-NOMINAL_RUN = (Over.BOTH, Over.NOMINAL)
-"""What requirements on a run itself are over; the others are on the points of its envelope."""
 OF_METRICS = ("relative_to", "min", "max")
 """What bounds a metric, and nothing else."""
 
@@ -68,10 +63,9 @@ def _text(
 ) -> RequirementText | None:
     identity, words = entry.get("id"), entry.get("text")
     metric, formula, corridor = (entry.get(name) for name in KINDS)
-    runs = _asked_runs(entry.get(RUNS), variants)
-    faults += _run_faults(entry, variants, runs)
+    runs = asked_runs(entry.get(RUNS), variants)
+    faults += run_faults(entry, variants, runs)
     faults += _kind_faults(entry)
-    faults += _relative_faults(entry.get("relative_to"), variants)
     found = _measured(entry, metric, faults) if metric is not None else None
     if formula is not None:
         statement = statement_of(formula, faults)
@@ -85,7 +79,7 @@ def _text(
         id=str(identity.value),
         text=str(words.value),
         runs=runs,
-        expect=_expected(entry.get("expect"), variants) & runs,
+        expect=expected(entry.get("expect"), variants) & runs,
         span=identity.span,
         asked=tuple(each.span for name in ASKED if (each := entry.get(name)) is not None),
         over=over_of(entry.get("over")),
@@ -139,51 +133,11 @@ def _twice(text: RequirementText, before: Sequence[RequirementText]) -> Iterator
             yield Diagnostic(code="SCN407", message=f"two requirements are called `{text.id}`", places=places)
 
 
-def _asked_runs(runs: Entry | None, variants: Sequence[str]) -> frozenset[str]:
-    """Return the runs that a requirement is asked of: all unless it names some."""
-    named = frozenset(each.value for each in runs.items if isinstance(each.value, str)) if runs else None
-    return frozenset(variants) if named is None else named & frozenset(variants)
-
-
-def _expected(expect: Entry | None, variants: Sequence[str]) -> frozenset[str]:
-    if expect is None:
-        return frozenset()
-    return frozenset(expect.table if expect.is_table else variants)
-
-
-def _run_faults(entry: Entry, variants: Sequence[str], asked: Container[str]) -> Iterator[Diagnostic]:
-    """Yield the runs that are named and do not exist, and those that are named though nothing is asked."""
-    runs = entry.get(RUNS)
-    for each in runs.items if runs else ():
-        if isinstance(each.value, str) and each.value not in variants:
-            yield _unknown_run(each.value, each, variants)
-    for key in BY_RUN:
-        by_run = entry.get(key)
-        for name, each in by_run.table.items() if by_run else ():
-            if name not in variants:
-                yield _unknown_run(name, each.key, variants)
-            elif name not in asked:
-                message = f"`{key}` names the run `{name}`, of which this is not asked"
-                yield finding("SCN406", message, each.key, f"leave it out, or name it in `{RUNS}`, too")
-
-
-def _unknown_run(name: str, where: Entry | Span, variants: Sequence[str]) -> Diagnostic:
-    near = nearest(name, variants)
-    hint = f"did you mean `{near}`?" if near else f"the runs are {listed(variants)}"
-    return finding("SCN405", f"there is no variant called `{name}`", where, hint)
-
-
 def _relative(entry: Entry | None) -> Relative | None:
     variant, form = (entry.get(name) if entry else None for name in ("variant", "as"))
     if variant is None or form is None or form.value not in list(Form):
         return None
     return Relative(str(variant.value), Form(form.value))
-
-
-def _relative_faults(entry: Entry | None, variants: Sequence[str]) -> Iterator[Diagnostic]:
-    variant = entry.get("variant") if entry else None
-    if variant is not None and isinstance(variant.value, str) and variant.value not in variants:
-        yield _unknown_run(variant.value, variant, variants)
 
 
 def _metric_faults(metric: Entry, requirement: Entry) -> Iterator[Diagnostic]:
@@ -224,15 +178,6 @@ def _argument_faults(metric: Metric, arguments: Entry) -> Iterator[Diagnostic]:
     signal = arguments.get(SIGNAL)
     if signal is not None and not isinstance(signal.value, str):
         yield finding("SCN402", "`signal` is the name of a signal, in quotes", signal)
-
-
-def asked_of(
-    texts: Sequence[RequirementText], variant: str, asked_over: Container[Over] = NOMINAL_RUN
-) -> list[RequirementText]:
-    """Return what is asked of the run of a variant: one that is relative to that run itself is not."""
-    asked = [each for each in texts if variant in each.runs]
-    others = [each for each in asked if each.relative_to is None or each.relative_to.variant != variant]
-    return [each for each in others if each.over in asked_over]
 
 
 def requirements_for(
@@ -321,7 +266,7 @@ def _of_metric(
     own = metric.unit.unit(unit)
     if text.relative_to is not None:
         own = parse_unit("") if text.relative_to.form is Form.RATIO else own.difference
-    what = f"a {metric.words} of `{signal}`"
+    what = _bounded(metric, signal, text.relative_to)
     minimum = converted(text.minimum, own, what, faults)
     maximum = converted(text.maximum, own, what, faults)
     faults += _crossed(text, minimum, maximum, arguments)
@@ -343,6 +288,13 @@ def _of_metric(
         span=text.span,
         asked=text.asked,
     )
+
+
+def _bounded(metric: Metric, signal: str, relative: Relative | None) -> str:
+    """Return what the bounds of a requirement are on, as a sentence begins."""
+    if relative is None:
+        return f"a {metric.words} of `{signal}`"
+    return f"the {relative.form} of the {metric.words} of `{signal}` to that of the run `{relative.variant}`"
 
 
 def _restarts(

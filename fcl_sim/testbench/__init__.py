@@ -9,7 +9,7 @@ Tests: tests/testbench.
 from fcl_sim.loop.open import OpenLoop
 from fcl_sim.scenario.bench import bench_of
 from fcl_sim.scenario.model import BASE
-from fcl_sim.testbench.baselines import new_baseline, update_baseline
+from fcl_sim.testbench.baselines import lost_runs, new_baseline, update_baseline
 from fcl_sim.testbench.covering import coverage
 from fcl_sim.testbench.outcome import Against, Outcome, Prepared, Run, Update
 from fcl_sim.testbench.preparing import open_loop, prepare
@@ -37,6 +37,7 @@ __all__ = [
     "bench_of",
     "coverage",
     "judge_trace",
+    "lost_runs",
     "new_baseline",
     "open_loop",
     "prepare",

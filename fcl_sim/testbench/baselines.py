@@ -1,7 +1,8 @@
-"""Accept what a run came to: its new baseline."""
+"""Accept what a run came to: its new baseline; find those of runs that are no more."""
 
-from fcl_sim.diagnostics import InputFault
+from fcl_sim.diagnostics import Diagnostic, InputFault, Place
 from fcl_sim.scenario import baseline_file
+from fcl_sim.scenario.document import shown
 from fcl_sim.scenario.model import Scenario
 from fcl_sim.scenario.references import reference_signals
 from fcl_sim.testbench.outcome import Outcome, Run, Update
@@ -35,6 +36,21 @@ def new_baseline(outcome: Outcome, variant: str, *, reason: str, date: str) -> U
         former=before,
     )
     return Update(path=path, before=before, after=after)
+
+
+def lost_runs(scenario: Scenario) -> tuple[Diagnostic, ...]:
+    """Return a finding for each baseline of a run that a scenario no longer has, at the baseline's file.
+
+    There is none where overrides are laid over the scenario: they are other runs.
+    """
+    if scenario.overrides:
+        return ()
+    message = f"this is the baseline of a run that {scenario.name} no longer has"
+    hint = "delete the file if that is meant, else bring the run back"
+    return tuple(
+        Diagnostic(code="JDG408", message=message, places=(Place(file=shown(file)),), hint=hint)
+        for file in baseline_file.of_no_run(scenario.path, scenario.variants)
+    )
 
 
 def _acceptable(scenario: Scenario, run: Run) -> None:

@@ -18,10 +18,11 @@ from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.run import run as simulate
 from fcl_sim.loop.trace import Trace
 from fcl_sim.loop.wiring import wire
+from fcl_sim.scenario.asked_runs import asked_of
 from fcl_sim.scenario.binder import plant_of, requirements
 from fcl_sim.scenario.model import BASE, Scenario
 from fcl_sim.scenario.reader import read
-from fcl_sim.scenario.requirements import Units, asked_of
+from fcl_sim.scenario.requirements import Units
 from fcl_sim.testbench.outcome import Against, Outcome, Prepared, Run
 from fcl_sim.testbench.preparing import prepare
 from fcl_sim.verify.cause import cause_of, with_rule_bases

@@ -6,6 +6,7 @@ import subprocess
 import pytest
 
 from fcl_sim.cli.benches import scenario_files
+from tests.cli.conftest import accept
 from tests.house.places import ROOT
 
 SHORT = "scenarios/crane/short.toml"
@@ -55,6 +56,66 @@ def test_a_requirement_that_a_run_is_not_asked_any_more_is_told_and_no_other_cau
     assert "is not asked any more" in told
     assert "The run does what it did: its scenario asks something else of it." in told
     assert "look at the plant's file" not in told
+
+
+OTHER = '\n[variants.other]\n"plant.parameters.load_mass" = "10 t"\n'
+LOST = "scenarios/crane/baselines/short.other.toml"
+
+
+@pytest.fixture
+def dropped(bench):
+    """Stand in the bench after a run that was accepted is taken out of its scenario."""
+    whole = (bench / SHORT).read_text("utf-8")
+    (bench / SHORT).write_text(whole + OTHER, "utf-8")
+    accept(bench / SHORT)
+    (bench / SHORT).write_text(whole, "utf-8")
+    return bench
+
+
+def test_the_baseline_of_a_run_that_is_no_more_is_told_and_is_not_green(invoke, dropped):
+    code, told = run(invoke)
+    assert code == 4
+    assert f"{LOST} is the baseline of a run that crane/short no longer has." in told.splitlines()
+    assert "  Delete the file if that is meant, else bring the run back." in told.splitlines()
+    (dropped / LOST).unlink()
+    code, told = run(invoke)
+    assert (code, "no longer" in told) == (0, False)
+
+
+def test_a_build_server_is_told_of_it_too(invoke, dropped):
+    result = invoke("run", "--no-report", "--json", "--junit", "j.xml", "--sarif", "s.json")
+    assert (result.exit_code, json.loads(result.stdout)["verdict"]) == (4, "PASS")
+    assert f"{LOST}: error[JDG408]: this is the baseline of a run that" in result.stderr
+    assert "JDG408" in (dropped / "j.xml").read_text("utf-8")
+    (found,) = json.loads((dropped / "s.json").read_text("utf-8"))["runs"][0]["results"]
+    assert found["ruleId"] == "JDG408"
+
+
+def test_it_is_shown_with_what_was_accepted_unless_other_runs_are_asked_for(invoke, dropped):
+    told = invoke("baseline", "show").stdout
+    assert f"{LOST} is the baseline of a run that crane/short no longer has." in told
+    assert LOST not in invoke("baseline", "show", "--variant", "base").stdout
+
+
+def test_with_overrides_no_baseline_is_asked_about(invoke, dropped):
+    code, told = run(invoke, "--set", "plant.parameters.load_mass=10 t")
+    assert (code, "no longer has" in told) == (0, False)
+
+
+def test_a_baseline_belongs_to_the_scenario_that_it_would_be_read_for(invoke, bench):
+    dotted = "scenarios/crane/short.other.toml"
+    (bench / dotted).write_bytes((bench / SHORT).read_bytes())
+    accept(bench / dotted)
+    assert (bench / "scenarios/crane/baselines/short.other.base.toml").exists()
+    assert run(invoke)[0] == 0
+
+
+def test_other_files_beside_baselines_are_left_alone(invoke, bench):
+    folder = (bench / FILE).parent
+    (folder / "short.notes.toml").write_text('why = "they are notes"\n')
+    (folder / "short.broken.toml").write_text("variant = ")
+    (folder / "short.copy.toml").write_bytes((bench / FILE).read_bytes())
+    assert run(invoke)[0] == 0
 
 
 def test_a_requirement_that_is_missed_goes_before_a_baseline_that_is_left(invoke, bench):

@@ -28,6 +28,32 @@ def test_the_bench_of_the_current_folder_is_run_and_its_reports_written(invoke, 
     assert (bench / "reports" / "report.pdf").read_bytes().startswith(b"%PDF-")
 
 
+FCL = "scenarios/crane/crane_completed.fcl"
+
+
+def test_warnings_of_a_rule_base_are_counted_once_and_who_tells_them_is_named(invoke, bench):
+    text = (bench / FCL).read_text("utf-8")
+    (bench / FCL).write_text(text.replace("REAL;", "REAL", 1), "utf-8")
+    short = bench / "scenarios/crane/short.toml"
+    short.with_name("other.toml").write_text(short.read_text() + "\n[variants.again]\n")
+    accept(short, short.with_name("other.toml"))
+    result = invoke("run", "--no-report")
+    assert lines(result.stderr) == [f"{FCL}: 1 warning (fcl-sim check {FCL} tells it)"]
+    assert result.exit_code == 0
+    assert "FCL206" in invoke("check", FCL).stdout
+    as_json = invoke("run", "--no-report", "--json")
+    assert json.loads(as_json.stdout)["verdict"] == "PASS"
+    assert f"{FCL}: 1 warning" in as_json.stderr
+
+
+def test_faults_of_a_rule_base_are_told_relative_to_the_current_folder_as_all_others(invoke, bench):
+    text = (bench / FCL).read_text("utf-8")
+    (bench / FCL).write_text(text.replace("RULEBLOCK", "RULEBLOK", 1), "utf-8")
+    for paths in ((), (bench,), ("scenarios",)):
+        result = invoke("run", "--no-report", *paths)
+        assert (result.exit_code, result.stderr.split(":")[0]) == (3, FCL)
+
+
 def test_a_verdict_other_than_pass_is_exit_code_1(invoke, bench):
     short = bench / "scenarios" / "crane" / "short.toml"
     short.write_text(short.read_text().replace('max = "9 deg"', 'max = "0.001 deg"'))

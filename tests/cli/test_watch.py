@@ -110,6 +110,92 @@ def test_a_file_that_is_written_in_pieces_is_seen_once_and_whole(watched, rules,
     assert changed.read_text("utf-8").endswith("(* more *)")
 
 
+def rounds(monkeypatch, *events):
+    """Let the watcher look for new files each time it looks at all; each event happens before one look."""
+    coming = iter(events)
+    monkeypatch.setattr(watch, "ROUND", 1)
+    monkeypatch.setattr(watch, "time", SimpleNamespace(sleep=lambda _: next(coming, lambda: None)()))
+
+
+def test_a_scenario_that_comes_into_a_folder_is_followed_once_there_is_something_in_it(
+    watched, scenario, monkeypatch
+):
+    watched.folders = (scenario.parent,)
+    new = scenario.with_name("new.toml")
+    rounds(monkeypatch, new.touch, lambda: new.write_bytes(scenario.read_bytes()))
+    following = saved(watched)
+    assert next(following) == {new}
+    assert watched.affected({new}) == [new]
+    assert faults(watched, new) == []
+    assert [each.scenario.name for each in watched.known] == ["crane/short", "crane/new"]
+    rounds(monkeypatch, lambda: new.write_text(new.read_text("utf-8") + "# more\n", "utf-8"))
+    assert next(following) == {new}
+
+
+def test_without_a_folder_nothing_else_is_followed(watched, scenario):
+    scenario.with_name("new.toml").write_bytes(scenario.read_bytes())
+    assert watched.join() == []
+
+
+def test_a_scenario_that_is_deleted_from_its_folder_leaves_the_page(watched, scenario, monkeypatch):
+    watched.folders = (scenario.parent,)
+    watched.page(1)
+    rounds(monkeypatch, scenario.unlink)
+    changed = next(saved(watched))
+    assert watch.told_of(changed) == "scenarios/crane/short.toml was deleted"
+    assert watched.forget(changed)
+    assert (watched.known, watched.inputs) == ([], set())
+
+
+def test_one_that_was_named_stays_and_is_told_to_be_missing(watched, scenario):
+    scenario.unlink()
+    assert not watched.forget({scenario})
+    assert [each.code for each in faults(watched, scenario)] == ["SCN101"]
+
+
+def test_what_was_saved_and_what_was_deleted_are_told_apart(watched, scenario, rules):
+    rules.unlink()
+    told = watch.told_of({rules, scenario})
+    assert told == "scenarios/crane/short.toml was saved and scenarios/crane/crane_completed.fcl was deleted"
+
+
+def test_a_mistake_stands_above_the_page_until_it_is_mended_whatever_else_is_saved(
+    invoke, scenario, rules, monkeypatch
+):
+    other = scenario.with_name("other.toml")
+    other.write_bytes(scenario.read_bytes())
+    live, above = Live(), []
+
+    def twice(bench):
+        scenario.write_text(scenario.read_text("utf-8").replace("duration", "duraton"), "utf-8")
+        yield {scenario}
+        yield {other}
+        above.append(live._trouble)
+        scenario.write_text(scenario.read_text("utf-8").replace("duraton", "duration"), "utf-8")
+        yield {scenario}
+        above.append(live._trouble)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(watch, "saved", twice)
+    monkeypatch.setattr(watch, "Live", lambda: live)
+    result = invoke("run", scenario, other, "--watch")
+    assert "no key `duraton`" in above[0]
+    assert above[1] == ""
+    assert result.stderr.count("no key `duraton`") == 1
+
+
+def test_a_scenario_that_is_new_is_told_as_at_the_beginning(invoke, bench, scenario, monkeypatch):
+    def once(watched):
+        scenario.with_name("new.toml").write_bytes(scenario.read_bytes())
+        yield set(watched.join())
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(watch, "saved", once)
+    told = invoke("run", "scenarios", "--watch").stdout
+    assert "new.toml was saved: " in told
+    assert ["crane/new", "base", "1", "of", "1", "PASS"] in [line.split() for line in told.splitlines()]
+
+
 def test_at_the_command_line_it_tells_where_the_page_is_and_what_each_saving_changed(
     invoke, scenario, rules, monkeypatch
 ):

@@ -22,7 +22,7 @@ BAD_FILES = {
     "FCL102": ("recording.fcl", b" " * (8 * 2**20 + 1)),
     "FCL103": ("bath.zip", bytes(range(32)) * 4),
     "FCL104": ("bath.fcl", f"(* Füllstand *) {frame()}".encode("cp1252")),
-    "FCL199": ("table.csv", b"\n".join(b"VAR_INPUT x%d: T%d; END_VAR" % (n, n) for n in range(200))),
+    "FCL199": ("table.txt", b"\n".join(b"VAR_INPUT x%d: T%d; END_VAR" % (n, n) for n in range(200))),
 }
 """Of whole files, whose pages have no text as an example; FCL101 is a file that is not there."""
 

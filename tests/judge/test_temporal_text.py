@@ -68,6 +68,16 @@ FAULTS = {
   1 | valve > 1 and (valve < 3) valve > 2
     |                           ^^^^^
   hint: join truths by `and`, `or`, `implies` or `until`""",
+    "rise(valve > 1 N m)": """\
+<formula>:1:18: error[JDG201]: `)` is missing, before `m`
+  1 | rise(valve > 1 N m)
+    |                  ^
+  hint: a unit has no blanks in a formula: write `1 N*m`""",
+    "valve > 1 N m": """\
+<formula>:1:13: error[JDG201]: `m` does not belong here: the formula has ended before it
+  1 | valve > 1 N m
+    |             ^
+  hint: a unit has no blanks in a formula: write `1 N*m`""",
     "valve = 1": """\
 <formula>:1:7: error[JDG201]: `=` has no meaning in a formula
   1 | valve = 1

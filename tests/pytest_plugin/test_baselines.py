@@ -68,3 +68,14 @@ def test_a_run_that_broke_down_is_not_accepted(bench):
     result.assert_outcomes(failed=1, deselected=5)
     result.stdout.fnmatch_lines(["*error[[]RUN108[]]*"])
     assert not (bench.folder / BASELINE).exists()
+
+
+def test_the_baseline_of_a_run_that_is_no_more_fails(bench):
+    bench.accept()
+    bench.edit("scenarios/bath/heat.toml", '[variants.slow]\n"plant.parameters.time_constant" = "20 s"\n', "")
+    bench.edit("scenarios/bath/heat.toml", 'expect  = { slow = "fail" }', "")
+    result = bench.run()
+    result.assert_outcomes(passed=3, failed=1)
+    lost = "scenarios/bath/baselines/heat.slow.toml"
+    result.stdout.fnmatch_lines([f"{lost}: error[[]JDG408[]]: this is the baseline of a run that bath*"])
+    assert f"{lost.replace('baselines/', 'heat.toml::')}" in bench.collected("-m", "fcl_sim(baseline=True)")

@@ -3,7 +3,7 @@
 import pytest
 
 from fcl_sim.judge.verdict import Over
-from fcl_sim.scenario.requirements import asked_of
+from fcl_sim.scenario.asked_runs import asked_of
 from fcl_sim.scenario.show import show_scenario
 from fcl_sim.testbench import run
 
@@ -99,3 +99,52 @@ def test_a_slip_is_told_where_it_stands_with_its_mend(bench, asked, more, messag
     assert message in told
     assert hint in told
     assert "transfer.toml:50:" in told or "transfer.toml:51:" in told
+
+
+RATIO = """
+[[require]]
+id          = "CR-9"
+text        = "It settles about as fast as with the usual load."
+metric      = { settling_time = { signal = "crane.distance", final = "0 m", band = "0.5 m" } }
+max         = 1.2
+relative_to = { variant = "light_load", as = "ratio" }
+"""
+END = """light_load = "fail", double_scan = "fail" }
+"""
+
+
+def test_a_requirement_that_is_relative_to_the_one_run_it_names_is_asked_of_none(bench):
+    bench.edit("transfer.toml", (END, f'{END}{RATIO}runs = ["light_load"]'))
+    told = bench.fault()
+    assert "SCN406]: CR-9 is asked of the run `light_load` alone and relative to it" in told
+    assert "asked of no run" in told
+    assert '| runs = ["light_load"]' in told
+    assert "hint: name in `runs` what is held against it: base, raw_distance, frictionless" in told
+
+
+def test_so_is_one_that_is_relative_to_the_only_run_there_is(written):
+    told = written(ALONE)
+    assert "SCN406]: S-1 is relative to `base`, the only run there is, so that it would be" in told
+    assert 'relative_to = { variant = "base", as = "ratio" }' in told
+    assert "hint: bound the metric itself, or add a variant" in told
+
+
+def test_relative_to_one_of_the_runs_it_names_it_is_asked_of_the_others(bench):
+    bench.edit("transfer.toml", (END, f'{END}{RATIO}runs = ["light_load", "base"]'))
+    scenario = bench.read()
+    assert {name for name in scenario.variants if "CR-9" in ids(scenario, name)} == {"base"}
+
+
+ALONE = """
+title = "One run"
+duration = "1 s"
+scan = "100 ms"
+plant = { model = "transfer_function", numerator = [1.0], denominator = [1.0, 1.0], inputs = { u = 1.0 } }
+
+[[require]]
+id          = "S-1"
+text        = "It settles about as fast as it does."
+metric      = { peak = { signal = "y" } }
+max         = 1.2
+relative_to = { variant = "base", as = "ratio" }
+"""

@@ -57,3 +57,40 @@ def test_overrides_are_told_by_their_own_text(bench):
         "    | ^^^^^^^^^^^^^^^^^^^^^^^^^^^\n"
         "  hint: did you mean `load_mass`?"
     )
+
+
+def test_a_misspelled_input_of_a_rule_base_is_shown_where_it_is_misspelled(bench):
+    bench.edit("crane.controller.toml", ('angle = "angle" }', 'angel = "angle" }'))
+    told = bench.fault()
+    assert "error[WIR104]: `controller.rules` has no input called `angel`" in told
+    _, excerpt, caret, hint, *_ = told[told.index("scenarios/crane/crane.controller") :].splitlines()
+    assert excerpt[caret.index("^") : caret.rindex("^") + 1] == "angel"
+    assert hint == "  hint: did you mean `angle`?"
+
+
+def test_a_misspelled_input_of_a_plant_is_shown_where_it_is_misspelled(bench):
+    bench.edit("transfer.toml", ("{ power =", "{ powr ="))
+    told = bench.fault()
+    _, excerpt, caret, hint, *_ = told[told.index(": error[WIR104]") :].splitlines()
+    assert excerpt[caret.index("^") : caret.rindex("^") + 1] == "powr"
+    assert hint == "  hint: did you mean `power`?"
+
+
+RELATIVE = """
+[[require]]
+id          = "CR-9"
+text        = "It settles about as fast as with the usual load."
+metric      = { settling_time = { signal = "crane.distance", final = "0 m", band = "0.5 m" } }
+max         = 1.2
+relative_to = { variant = "light_load", as = "ratio" }
+"""
+
+
+def test_a_unit_of_a_ratio_is_told_of_the_ratio(bench):
+    bench.edit("transfer.toml", ("\n[[require]]", RELATIVE.replace("1.2", '"1.5 s"') + "\n[[require]]"))
+    told = bench.fault()
+    wanted = (
+        "the ratio of the settling time of `crane.distance` to that of the run `light_load` is a plain number"
+    )
+    assert wanted in told
+    assert "hint: write the number alone" in told

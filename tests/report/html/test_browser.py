@@ -188,9 +188,18 @@ def test_a_live_page_follows_what_is_shown_and_keeps_what_was_chosen(tab, tmp_pa
         assert tab.value(f"{of(FIRST, '.lane-plot > svg')}.querySelectorAll('.older:not(.off)').length") == 1
         assert "before it was saved" in text(tab, FIRST, "fieldset")
         live.warn("crane.fcl:3:1: error <b>")
-        tab.wait("document.querySelector('.banner:not(.off)')?.textContent === 'crane.fcl:3:1: error <b>'")
+        mistake = "document.querySelector('.banner:not(.off)')"
+        tab.wait(f"{mistake}?.textContent.startsWith('crane.fcl:3:1: error <b>\\n\\nBelow, what this')")
+        tab.wait("parseFloat(getComputedStyle(document.body).paddingTop) > 20")
+        for scrolled in (0, 400):
+            tab.value(f"window.scrollTo(0, {scrolled})")
+            low = f"{mistake}.getBoundingClientRect().bottom"
+            assert tab.value(f"{low} <= document.querySelector('nav').getBoundingClientRect().top")
+            assert scrolled or tab.value(f"{low} <= document.querySelector('h1').getBoundingClientRect().top")
+        tab.value("window.scrollTo(0, 0)")
         live.show(3, page_text([after], live=3))
         tab.wait("document.querySelector('.banner').classList.contains('off')")
+        tab.wait("getComputedStyle(document.body).paddingTop === '0px'")
         assert tab.said == []  # one whose server ends may say that its connection was reset
     tab.wait("document.querySelector('.banner').textContent.startsWith('fcl-sim has ended')")
 

@@ -29,17 +29,22 @@ function keepIn(fresh) {
   for (const name of [...explorers.keys()].filter((each) => !kept.has(each))) explorers.delete(name);
 }
 
+const BEFORE = "Below, what this stops is shown as it was before, or not at all.";
+
 /** Follow a server that tells when something was saved: the page is fetched anew, what was chosen stays. */
 function follow() {
   const banner = html("p", { class: "banner off", role: "status" });
   document.body.prepend(banner);
+  // The banner stays in sight and covers nothing: the page makes room for as much as it takes, none where it is off.
+  const room = () => document.documentElement.style.setProperty("--banner", `${banner.offsetHeight}px`);
+  new ResizeObserver(room).observe(banner);
   const source = new EventSource(`events?${document.body.dataset.live}`);
   source.addEventListener("changed", () => {
     banner.classList.add("off");
     refresh();
   });
   source.addEventListener("broken", (event) => {
-    say(banner, JSON.parse(event.data));
+    say(banner, `${JSON.parse(event.data)}\n\n${BEFORE}`);
     banner.classList.remove("off");
   });
   source.addEventListener("ended", () => {
