@@ -13,6 +13,9 @@ from fcl_sim.report.words import number, one_line
 FAR = 1.5
 """A bound that lies further outside than so many spans of the data is named, not drawn."""
 
+NOISE = 1e-6
+"""A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
+
 NARROW = 8.0
 """Bounds are narrow when the data span so many times their distance."""
 
@@ -43,7 +46,7 @@ Interval = tuple[float, float]
 
 def worth_showing(limit: float, low: float, high: float) -> bool:
     """Return whether the axis of data from `low` to `high` is stretched to show `limit`."""
-    span = (high - low) or abs(limit)
+    span = high - low if high - low > NOISE * max(abs(low), abs(high)) else abs(limit)
     return low - FAR * span <= limit <= high + FAR * span
 
 
@@ -55,7 +58,7 @@ def focus_on(bands: Mapping[Band, Sequence[str]], values: Values) -> tuple[float
     if not closed or not len(finite):
         return None
     low, high = min(limits), max(limits)
-    if not 0.0 < NARROW * (high - low) < float(np.ptp(finite)):
+    if not 0.0 < NARROW * (high - low) < float(finite.max()) - float(finite.min()):
         return None
     return low - 0.6 * (high - low), high + 0.6 * (high - low)
 

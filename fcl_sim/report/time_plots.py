@@ -10,6 +10,7 @@ from fcl_sim.judge.verdict import Band, Corridor, Verdict
 from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import lettering, style
 from fcl_sim.report.bands import (
+    NOISE,
     Interval,
     draw_bands,
     draw_corridors,
@@ -45,9 +46,6 @@ STRETCH = 1.6
 
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
-
-NOISE = 1e-6
-"""A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
 
 BUCKETS = 400
 """A line is thinned to its extremes in so many stretches: each narrower than the line."""

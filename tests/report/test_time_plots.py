@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from fcl_sim.judge.verdict import Band, Corridor, Status
 from fcl_sim.loop.diagram import Node
-from fcl_sim.report.bands import apart, focus_on
+from fcl_sim.report.bands import apart, focus_on, worth_showing
 from fcl_sim.report.canvas import Axes, Line, Shape
 from fcl_sim.report.pictures import over_time
 from fcl_sim.report.style import BAND, VIOLATION, stroke
@@ -65,6 +65,17 @@ def test_a_signal_with_narrow_bounds_is_looked_at_closely():
 def test_only_narrow_bounds_on_both_sides_ask_for_a_closer_look(low, high, close):
     band = Band(signal="x", low=low, high=high, start=0.0, end=1.0)
     assert (focus_on({band: ["R"]}, np.linspace(0.0, 25.0, 9)) is not None) == close
+
+
+def test_of_a_signal_at_rest_a_bound_is_shown_though_its_last_digit_moves():
+    for high in (20.0, math.nextafter(20.0, 30.0)):
+        assert worth_showing(22.0, 20.0, high)
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_signal_that_spans_more_than_a_number_holds_is_looked_at_closely():
+    band = Band(signal="x", low=-0.5, high=0.5, start=0.0, end=1.0)
+    assert focus_on({band: ["R"]}, np.array([-1.5e308, 1.5e308])) is not None
 
 
 SERIES = st.lists(st.one_of(st.floats(-1e9, 1e9), st.just(float("nan"))), min_size=1, max_size=400)

@@ -18,6 +18,9 @@ from fcl_sim.report.words import joined, number, one_line
 
 Json = dict[str, Any]
 
+ROUNDING = 1e-12
+"""What an output moves by less than this part of its value is rounding, not a range."""
+
 
 def characteristics(
     block: Block, units: Mapping[str, str], records: Sequence[FuzzyRecord], pack: Pack
@@ -96,13 +99,17 @@ def _map(subject: Subject, pack: Pack) -> Json:
 def _range(maps: Sequence[Surface]) -> tuple[float, float]:
     told = np.concatenate([each.values[~each.undefined & np.isfinite(each.values)] for each in maps])
     low, high = (float(told.min()), float(told.max())) if told.size else (0.0, 1.0)
-    return low, high if high > low else low + 1.0
+    moves = high - low > ROUNDING * max(abs(low), abs(high))
+    return low, high if moves else low + max(1.0, abs(low))
 
 
 def _view(surface: Surface, limits: tuple[float, float], pack: Pack) -> Json:
     low, high = limits
     told = ~surface.undefined & np.isfinite(surface.values)
-    share = np.clip((np.where(told, surface.values, low) - low) / (high - low), 0.0, 1.0)
+    values = np.where(told, surface.values, low)
+    share = np.clip(
+        (values / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0), 0.0, 1.0
+    )  # the span may be infinite
     shades = np.where(told, share * (SHADES - 1) + 0.5, NONE).astype(np.uint8)
     return {
         "title": surface.title,

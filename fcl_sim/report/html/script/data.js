@@ -30,7 +30,7 @@ function decoded(body, made) {
   const steps = unfolded(body, begin + (made.thinned ? 2 * count : 0), count, true);
   const value = (part) => (1 - part) * low + part * high;
   const values = Float64Array.from(steps, (step) => (step === NONE ? NaN : value(step / STEPS)));
-  return { kept, values, grain: (high - low) / STEPS };
+  return { kept, values, grain: high / STEPS - low / STEPS };
 }
 
 /** Return sums of differences that were folded to be positive; of 16 bits, or as many as they need. */
@@ -88,7 +88,9 @@ class Line {
     if (index < 0 || (index === last && time > this.times[last] + 1e-6)) return NaN;
     if (index === last || time - this.times[index] < 1e-9) return this.values[index];
     const part = (time - this.times[index]) / (this.times[index + 1] - this.times[index]);
-    return this.values[index] + part * (this.values[index + 1] - this.values[index]);
+    const [here, next] = [this.values[index], this.values[index + 1]];
+    const between = here + part * (next - here);
+    return Number.isFinite(between) ? between : (1 - part) * here + part * next; // the way is longer than a number
   }
 
   /** Return whether a time lies between samples of which some are left out. */

@@ -3,6 +3,7 @@
 const WIDE = 1000;
 const FAR = 1.5;
 const ROOM = 0.08;
+const STILL = 1e-6; // what moves by less than this part of its value is at rest, as on paper
 const MOST_NAMED = 8;
 const BAR = 3; // from one bar of violations to the next, in pixels
 const MOST_BARS = 0.3; // what they take of a lane, at most
@@ -89,8 +90,9 @@ class Lane {
     const extents = lines.map((line) => line.extent(0, this.scenario.end));
     const low = Math.min(...extents.map((each) => each[0]));
     const high = Math.max(...extents.map((each) => each[1]));
-    if (high > low && Number.isFinite(high - low)) return [low, high];
-    return Number.isFinite(low) ? [low - 1, low + 1] : [0, 1];
+    if (!(high >= low)) return [0, 1];
+    const around = isOne(low, high, STILL) ? Math.max(1, Math.abs(low)) : 0;
+    return [clamped(low - around, -HUGE, HUGE), clamped(high + around, -HUGE, HUGE)];
   }
 
   across(time) {
@@ -217,7 +219,9 @@ class Lane {
     this.lines.forEach((line, index) => isShown(index) && take(line));
     this.older.forEach((line, i) => line && state.shown.has(this.scenario.older[i].mark) && take(line));
     if (!(high >= low)) [low, high] = this.whole;
-    const span = high - low || Math.abs(high);
+    [low, high] = [clamped(low, -HUGE, HUGE), clamped(high, -HUGE, HUGE)];
+    const whole = this.whole[1] - this.whole[0];
+    const span = isOne(low, high, STILL) ? Math.min(Math.abs(high), whole) : high - low;
     const bounds = this.told.bands.filter((band) => band.from <= to && band.to >= from);
     const corridors = this.told.corridors.flatMap((each) => [...each.low, ...each.high]);
     for (const bound of [...bounds.flatMap((band) => [band.low, band.high]), ...corridors]) {
@@ -225,7 +229,7 @@ class Lane {
       low = Math.min(low, bound);
       high = Math.max(high, bound);
     }
-    const room = ROOM * (high - low) || 0.1 * Math.abs(high) || 1;
+    const room = isOne(low, high, STILL) ? Math.min(0.1 * Math.abs(high) || 1, whole) : ROOM * (high - low);
     return [low - room, high + room];
   }
 

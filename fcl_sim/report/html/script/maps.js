@@ -137,8 +137,9 @@ class Characteristic {
     const series = this.pack.series(this.told.values);
     const values = series.constant === undefined ? series.values : new Float64Array(x.length).fill(series.constant);
     const told = values.filter((each) => !Number.isNaN(each));
-    const [low, high] = told.length ? [told.reduce((a, b) => Math.min(a, b)), told.reduce((a, b) => Math.max(a, b))] : [0, 1];
-    const room = 0.06 * (high - low) || 0.1 * Math.abs(high) || 1;
+    const ends = told.length ? [told.reduce((a, b) => Math.min(a, b)), told.reduce((a, b) => Math.max(a, b))] : [0, 1];
+    const [low, high] = ends.map((each) => clamped(each, -HUGE, HUGE));
+    const room = isOne(low, high) ? 0.1 * Math.abs(high) || 1 : 0.06 * (high - low);
     this.limits = [x[0], x[x.length - 1], low - room, high + room];
     let [path, pen] = ["", "M"];
     values.forEach((value, i) => {
@@ -214,7 +215,8 @@ class Characteristic {
       }
       if (time <= at) add("before", x, y);
       else {
-        if (!split && at >= times[0]) add("after", across.at(at), up.at(at));
+        const here = [across.at(at), up.at(at)];
+        if (!split && !Number.isNaN(here[0] + here[1])) add("after", ...here);
         split = true;
         add("after", x, y);
       }
