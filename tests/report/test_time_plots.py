@@ -13,11 +13,11 @@ from fcl_sim.judge.verdict import Band, Corridor, Status
 from fcl_sim.loop.diagram import Node
 from fcl_sim.report.bands import apart, focus_on, worth_showing
 from fcl_sim.report.canvas import Axes, Line, Shape
-from fcl_sim.report.pictures import over_time
+from fcl_sim.report.pictures import all_runs, over_time
 from fcl_sim.report.style import BAND, VIOLATION, stroke
-from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
+from fcl_sim.report.time_plots import Shown, lanes, lanes_of, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
-from tests.report.synthetic import EVIL, LONG, of_formula, requirement, run, trace, verdict, verdicts
+from tests.report.synthetic import EVIL, LONG, of_formula, outcome, requirement, run, trace, verdict, verdicts
 
 
 def shown(kind: str = "settles", label: str = "base", **given) -> Shown:
@@ -40,6 +40,44 @@ def test_signals_that_are_equal_are_drawn_once_under_all_their_names():
         ("crane.distance", "controller.distance"),
         ("crane.sway",),
     ]
+
+
+def shifted(found, by=7.0):
+    """Return a trace whose sensor is off: what the controller reads is not what the crane does."""
+    values = found.values.copy()
+    values[:, 2] += by
+    return replace(found, values=values)
+
+
+def test_signals_that_part_in_any_run_have_an_axis_each():
+    runs = [shown(), shown(label="sensor off", trace=shifted(trace()))]
+    names = [lane.names for lane in lanes_of(runs) if lane.focus is None]
+    assert ("crane.distance",) in names
+    assert ("controller.distance",) in names
+    beside = [lane.names for lane in lanes_of(runs[:1], runs[1:]) if lane.focus is None]
+    assert sorted(beside) == sorted(names)  # one that is drawn behind counts, too
+
+
+def test_a_signal_that_only_a_later_run_has_gets_an_axis():
+    other = trace(names=("crane.distance", "crane.sway", "controller.distance", "valve"))
+    found = lanes_of([shown(), shown(label="other", trace=other)])
+    assert {"valve", "controller.rules.power"} <= {name for lane in found for name in lane.names}
+
+
+def test_what_only_a_variant_is_judged_by_is_among_the_judged_signals(tmp_path):
+    sway = verdict(id="CR-9", signal="crane.sway", unit="deg")
+    runs = [run(tmp_path, verdicts=(verdict(),)), run(tmp_path, "v2", verdicts=(verdict(), sway))]
+    (picture,) = all_runs(outcome(tmp_path, *runs))
+    assert "crane.sway" in [axes.label for axes in picture.draw().axes]
+    assert "CR-9: PASS" in picture.alt
+
+
+def test_the_text_of_runs_tells_the_time_of_the_longest(tmp_path):
+    made = run(tmp_path, "long")
+    timing = replace(made.diagram.timing, duration=120 * 10**9)
+    longer = replace(made, diagram=replace(made.diagram, timing=timing))
+    (picture,) = all_runs(outcome(tmp_path, run(tmp_path), longer))
+    assert " over 120\N{NO-BREAK SPACE}s, run base and long." in picture.alt
 
 
 def test_judged_signals_stand_first():

@@ -17,7 +17,7 @@ from fcl_sim.report.plant_sketches import sketches_of
 from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.sketch import Amount, Delayed, Group, Motion, Paint, Piece, Sketch, Tint
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes
+from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes_of
 from fcl_sim.report.violations import violations
 from fcl_sim.report.words import one_line
 from fcl_sim.testbench import Outcome, Run
@@ -36,24 +36,12 @@ def scenario_data(outcome: Outcome, pack: Pack) -> Json:
     return {
         "title": one_line(outcome.scenario.title),
         "name": outcome.scenario.name,
-        "lanes": [_lane(each, views) for each in _lanes(views)],
+        "lanes": [_lane(each, views) for each in lanes_of(views, [view_of(run) for run in older])],
         "runs": [_run(run, sketch, bases, pack) for run, sketch in zip(runs, drawn, strict=True)],
         "older": [_older(run, pack) for run in older],
         "olderLabel": "" if outcome.against is None else one_line(outcome.against.label),
         "bases": bases.told(),
     }
-
-
-def _lanes(views: Sequence[Shown]) -> list[Lane]:
-    """Return the lanes of all runs, each signal once, the judged ones first."""
-    found: dict[tuple[str, bool], Lane] = {}
-    known: set[str] = set()
-    for view in views:
-        for lane in lanes(view):
-            if lane.focus is not None or known.isdisjoint(lane.names):
-                found.setdefault((lane.signal, lane.focus is not None), lane)
-        known |= set(view.trace.names)
-    return sorted(found.values(), key=lambda lane: not lane.judged)
 
 
 def _lane(lane: Lane, views: Sequence[Shown]) -> Json:
