@@ -86,7 +86,7 @@ def _run(run: Run, sketch: Sketch | None, bases: "_Bases", pack: Pack) -> Json:
         "verdict": str(run.verdict),
         "fault": None if fault is None else {"time": fault.tick / 1e9, "text": one_line(fault.reason)},
         "violations": [
-            {"signals": told, "from": start, "to": end}
+            {"signals": [one_line(name) for name in told], "from": start, "to": end}
             for each in run.verdicts
             for told in [each.blamed or each.requirement.signals]
             for start, end in violations(run.trace, each, told)

@@ -203,7 +203,7 @@ class Lane {
   /** Return when a run violates what is asked of the signal. */
   broken(index) {
     const run = this.scenario.runs[index];
-    return run.told.violations.filter((each) => each.signals.some((name) => run.isSame(name, this.told.signal)));
+    return run.told.violations.filter((each) => each.signals.some((name) => this.told.names.includes(name)));
   }
 
   limits(state, isShown) {
@@ -303,7 +303,7 @@ class Lane {
 
   /** Mark at the foot of an output when no rule is active in the run that was chosen. */
   drawIdle(state, left, right) {
-    const stretches = this.scenario.runs[state.chosen].idle(this.told.signal);
+    const stretches = this.scenario.runs[state.chosen].idle(this.told.names);
     this.idle.setAttribute("viewBox", `${left} 0 ${right - left} 1`);
     const bars = stretches.map(([begin, end]) => `M${this.across(begin)} 0H${this.across(end)}V1H${this.across(begin)}Z`);
     this.idle.firstChild.setAttribute("d", bars.join(""));
