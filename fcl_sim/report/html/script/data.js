@@ -96,7 +96,8 @@ class Line {
   /** Return whether a time lies between samples of which some are left out. */
   isNear(time) {
     const index = this.indexAt(time);
-    return this.isThinned && index >= 0 && Math.abs(this.times[index] - time) > 1e-9;
+    const isWithin = index >= 0 && index < this.times.length - 1;
+    return this.isThinned && isWithin && Math.abs(this.times[index] - time) > 1e-9;
   }
 
   /** Return the least and the largest value from a time to another; Infinity and −Infinity where there is none. */

@@ -339,9 +339,8 @@ class Lane {
       dot.style.left = `${100 * place}%`;
       dot.style.top = `${100 * part}%`;
       if (!line || !state.shown.has(index)) return;
-      const near = line.isNear(state.at) ? "\u2248" : "";
       const name = html("span", { class: "hidden" }, `${this.scenario.runs[index].name}: `);
-      const text = `${near}${withUnit(value, this.told.unit)}`;
+      const text = nearly(line, state.at) + withUnit(value, this.told.unit);
       told.push(html("span", { class: "reading" }, swatch(index), name, text));
     });
     this.readings.replaceChildren(...told);

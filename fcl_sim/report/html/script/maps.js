@@ -175,10 +175,11 @@ class Characteristic {
     this.spot.classList.toggle("beyond", !isIn);
     this.spot.style.left = `${100 * clamped(part[0], 0, 1)}%`;
     this.spot.style.top = `${100 * clamped(part[1], 0, 1)}%`;
-    const inputs = [withUnit(here[0], told.across.unit), ...(this.isMap ? [withUnit(here[1], told.up.unit)] : [])];
+    const read = (line, unit) => nearly(line, at) + withUnit(line.at(at), unit);
+    const inputs = [read(across, told.across.unit), ...(this.isMap ? [read(up, told.up.unit)] : [])];
     const isIdle = (block.idle[told.output] || []).some(([begin, end]) => at >= begin - 1e-9 && at < end - 1e-9);
     const beyond = isIn || Number.isNaN(part[0]) ? "" : ", beyond the edge";
-    const value = `${inputs.join(", ")} \u2192 ${withUnit(output.at(at), told.unit)}${isIdle ? ", no rule is active" : ""}${beyond}`;
+    const value = `${inputs.join(", ")} \u2192 ${read(output, told.unit)}${isIdle ? ", no rule is active" : ""}${beyond}`;
     say(this.reading, value);
     describe(this.picture, `Characteristic: ${told.output} at ${seconds(at, run.told.scan)} s: ${value}`);
   }

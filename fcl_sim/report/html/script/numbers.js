@@ -19,6 +19,11 @@ function withUnit(value, unit, digits = 4) {
   return number(value, digits) + (bare ? "" : `\u00a0${unit}`);
 }
 
+/** Return what stands before a value of a line: \u2248 where samples around it are left out. */
+function nearly(line, time) {
+  return line && line.isNear(time) ? "\u2248" : "";
+}
+
 /** Return a time with as many decimals as tell one scan from the next. */
 function seconds(time, scan) {
   const decimals = Math.min(Math.max(Math.ceil(-Math.log10(scan) - 1e-9), 0), 6);
