@@ -7,7 +7,7 @@ import numpy as np
 
 from fcl_sim.judge.verdict import Band, Corridor
 from fcl_sim.loop.diagram import FuzzyNode
-from fcl_sim.loop.trace import FuzzyRecord, Trace, Values
+from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.model.labels import unique_labels
 from fcl_sim.report import style
 from fcl_sim.report.html.maps import characteristics
@@ -101,21 +101,12 @@ def _older(run: Run, pack: Pack) -> Json:
     trace, timing = run.trace, run.diagram.timing
     return {
         "name": one_line(run.variant),
-        "time": _clock(trace, pack),
+        "time": pack.times(trace.ticks),
         "duration": timing.duration / 1e9,
         "scan": timing.scan / 1e9,
         "signals": {name: pack.series(trace.values[:, at]) for at, name in enumerate(trace.names)},
         "units": {name: one_line(trace.units[name]) for name in trace.names},
     }
-
-
-def _clock(trace: Trace, pack: Pack) -> Json:
-    """Return the times of samples: begin and step in nanoseconds, or a series of seconds."""
-    steps = np.diff(trace.ticks)
-    begin = int(trace.ticks[0]) if len(trace.ticks) else 0
-    if not len(steps) or (steps == steps[0]).all():
-        return {"begin": begin, "step": int(steps[0]) if len(steps) else 0, "count": len(trace.ticks)}
-    return {"at": pack.series(trace.time, whole=True), "count": len(trace.ticks)}
 
 
 def _block(run: Run, node: FuzzyNode, bases: "_Bases", pack: Pack) -> Json:

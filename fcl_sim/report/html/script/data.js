@@ -15,6 +15,12 @@ async function unpacked(text) {
       if (!known.has(number)) known.set(number, decoded(body, document_.series[number]));
       return known.get(number);
     },
+    /** Return the times in seconds of a run's samples: one array for all runs that have the same steps. */
+    times(told) {
+      const key = `${told.begin} ${told.folded}`;
+      if (!known.has(key)) known.set(key, unevenTimes(body, told));
+      return known.get(key);
+    },
     plain: ([begin, count]) => body.subarray(begin, begin + count),
   };
 }
@@ -45,11 +51,25 @@ function unfolded(body, begin, count, wraps) {
   return sums;
 }
 
+/** Return times that go on by steps of which each may be longer or shorter, as Pack.times() writes them. */
+function unevenTimes(body, { begin, step, count, grain, folded: [first, length] }) {
+  const times = new Float64Array(count);
+  const steps = count - 1;
+  let time = begin;
+  for (let i = 0; i < count; i++) {
+    times[i] = time / 1e9;
+    let positive = 0;
+    for (let at = first + length - steps + i; i < steps && at >= first; at -= steps) positive = 256 * positive + body[at];
+    time += step + grain * (positive % 2 ? -(positive + 1) / 2 : positive / 2);
+  }
+  return times;
+}
+
 /** Return the times in seconds of a run's samples. */
 function clockOf(time, pack) {
-  if (time.at === undefined) return { count: time.count, at: (index) => (time.begin + index * time.step) / 1e9 };
-  const told = pack.series(time.at).values;
-  return { count: time.count, at: (index) => told[index] };
+  if (time.folded === undefined) return { count: time.count, at: (index) => (time.begin + index * time.step) / 1e9 };
+  const times = pack.times(time);
+  return { count: time.count, at: (index) => times[index] };
 }
 
 /** A line through samples: what was kept of a signal. Times rise; `isThinned` where samples are left out. */
