@@ -12,7 +12,6 @@ from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import lettering, style
 from fcl_sim.report.bands import (
     NOISE,
-    Interval,
     draw_bands,
     draw_corridors,
     draw_strip,
@@ -27,7 +26,7 @@ from fcl_sim.report.frame import draw_frame, room_below, scale_of, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.naming import FOOT, Name, arranged, draw_names, height_of
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.violations import all_violations
+from fcl_sim.report.violations import Interval, all_violations
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
 
 LEFT, RIGHT = 14.0, 18.0

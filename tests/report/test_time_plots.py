@@ -9,12 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fcl_sim.judge.corridor import edges
 from fcl_sim.judge.verdict import Band, Corridor, Status
 from fcl_sim.loop.diagram import Node
-from fcl_sim.report.bands import apart, focus_on, worth_showing
+from fcl_sim.report.bands import RIGHT, apart, draw_corridors, focus_on, listed, worth_showing
 from fcl_sim.report.canvas import Axes, Line, Shape
+from fcl_sim.report.lettering import text_width
 from fcl_sim.report.pictures import all_runs, over_time
-from fcl_sim.report.style import BAND, VIOLATION, stroke
+from fcl_sim.report.style import BAND, SMALL, VIOLATION, stroke
 from fcl_sim.report.time_plots import Shown, lanes, lanes_of, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, of_formula, outcome, requirement, run, trace, verdict, verdicts
@@ -240,6 +242,55 @@ def test_a_corridor_is_drawn_with_its_edges_whole():
     (axes,) = time_plot([run], [lane]).axes
     assert axes.y[0] < -40.0
     assert [0.0, 60.0] in [[*line.x] for line in axes.of(Line)]
+
+
+def corridor(low, high):
+    ticks = tuple(each * 10**10 for each in range(len(low)))
+    return Corridor(name="k.csv", signal="crane.sway", ticks=ticks, low=low, high=high)
+
+
+CELL = st.one_of(st.just(math.nan), st.floats(-19.0, 0.0))
+
+
+@given(st.lists(st.tuples(CELL, CELL), min_size=2, max_size=7))
+def test_what_a_corridor_shades_is_what_its_judge_allows(rows):
+    asked = corridor(tuple(row[0] for row in rows), tuple(-row[1] for row in rows))
+    axes = Axes(0.0, 0.0, 100.0, 20.0)
+    axes.x, axes.y = (0.0, 60.0), (-20.0, 20.0)
+    draw_corridors(axes, [asked])
+    shapes = axes.of(Shape)
+    for middle in np.arange(len(rows) - 1) * 10.0 + 5.0:
+        low, high = (float(each[0]) for each in edges(asked, np.array([middle * 1e9], dtype=np.int64)))
+        around = [each for each in shapes if min(each.x) < middle < max(each.x)]
+        if math.isinf(low) and math.isinf(high):
+            assert around == []
+            continue
+        (shape,) = around
+        half = len(shape.x) // 2
+        assert np.interp(middle, shape.x[:half], shape.y[:half]) == pytest.approx(max(low, -20.0))
+        assert np.interp(middle, shape.x[half:][::-1], shape.y[half:][::-1]) == pytest.approx(min(high, 20.0))
+
+
+def test_a_requirement_is_named_once_beside_bounds_that_differ_only_in_time():
+    early = replace(verdict(), band=Band(signal="crane.distance", low=-0.5, high=0.5, start=30.0, end=60.0))
+    runs = [shown(verdicts=(verdict(),)), shown(label="early", verdicts=(early,))]
+    told = [text for text, _ in texts(time_plot(runs, lanes_of(runs))) if "CR-1" in text]
+    assert all(text.count("CR-1") == 1 for text in told)
+    assert told
+
+
+@given(st.lists(st.integers(1, 99), min_size=1, max_size=12, unique=True), st.sampled_from(["", " ↑25.5"]))
+def test_names_beside_a_bound_are_whole_and_fit_and_it_is_seen_where_some_are_left_out(numbers, where):
+    ids = [f"CR-{each}" for each in numbers]
+    text = listed(ids, where)
+    assert text_width(text, SMALL) <= RIGHT
+    names = text.removesuffix(where).removesuffix(where[:2]).split(", ")
+    assert names == ids or (names[-1] == "…" and names[:-1] == ids[: len(names) - 1])
+
+
+def test_a_name_longer_than_there_is_room_is_cut():
+    assert text_width(listed([LONG, "CR-2"], ""), SMALL) <= RIGHT
+    assert listed([LONG, "CR-2"], "").endswith(", …")
 
 
 def test_scans_without_an_active_rule_are_hatched_on_the_output_alone():

@@ -182,3 +182,44 @@ def test_the_scale_of_a_map_that_moves_by_rounding_is_that_of_a_constant():
     assert found["high"] - found["low"] >= 1.0
     (moving,) = characteristics(crane(), {}, [record_of_crane()], Pack(100))
     assert moving["high"] - moving["low"] > 1.0
+
+
+WALLS = """(corridor) => {
+  const lane = Object.assign(Object.create(Lane.prototype), { scenario: { end: 100 }, whole: [0, 10] });
+  return lane.walls(corridor);
+}"""
+
+
+def test_a_corridor_has_an_edge_only_between_rows_that_both_have_it():
+    corridor = {
+        "time": [0, 20, 40, 60, 80],
+        "low": [None, None, 5, 5, None],
+        "high": [10, 10, 10, None, None],
+    }
+    found = SCRIPT.call(WALLS, corridor)
+    assert found["allowed"].split("Z") == [
+        "M0 1000000L200 1000000L200 0L0 0",
+        "M200 1000000L400 1000000L400 0L200 0",
+        "M400 500L600 500L600 -1000000L400 -1000000",
+        "",
+    ]
+    assert found["edges"] == "M400 500L600 500M0 0L200 0L400 0"
+
+
+NAMED = """(bands) => {
+  const lane = Object.create(Lane.prototype);
+  const told = { bands: bands.map((each) => ({ from: 0, to: 1, ...each })), judged: true };
+  const names = [];
+  lane.placed = (name, part, attributes, text) => names.push(text);
+  Object.assign(lane, { told, low: 0, high: 10, labels: { replaceChildren() {} } });
+  lane.nameBands(0, 1);
+  return names;
+}"""
+
+
+def test_a_requirement_is_named_once_beside_bounds_that_differ_only_in_time():
+    bands = [
+        {"low": 1, "high": 3, "ids": ["CR-1"]},
+        {"low": 1, "high": 3, "ids": ["CR-2", "CR-1"], "from": 0.5},
+    ]
+    assert SCRIPT.call(NAMED, bands) == ["CR-1, CR-2"]

@@ -149,27 +149,25 @@ class Lane {
     }
   }
 
-  corridor(corridor) {
-    const point = (time, value) => `${this.across(time)} ${this.down(value)}`;
-    const side = (values, none) =>
-      corridor.time.map((time, i) => (values[i] === null ? `${this.across(time)} ${none}` : point(time, values[i])));
-    const [low, high] = [side(corridor.low, 1e6), side(corridor.high, -1e6)];
-    const edge = (values) => {
-      let pen = "M";
-      return corridor.time
-        .map((time, i) => {
-          const drawn = values[i] === null ? "" : `${pen}${point(time, values[i])}`;
-          pen = values[i] === null ? "M" : "L";
-          return drawn;
-        })
-        .join("");
-    };
-    return svg(
-      "g",
-      { class: "band" },
-      svg("path", { class: "area", d: `M${low.join("L")}L${high.reverse().join("L")}Z` }),
-      svg("path", { d: edge(corridor.low) + edge(corridor.high) }),
-    );
+  /** Return the paths of a corridor: what it allows, and its edges. One is there between two rows that both have it. */
+  walls({ time, low, high }) {
+    const [allowed, edges] = [[], { low: "", high: "" }];
+    const isThere = (values, i) => i >= 0 && values[i] !== null && values[i + 1] !== null;
+    const side = (values, i, none) =>
+      [i, i + 1].map((row) => `${this.across(time[row])} ${isThere(values, i) ? this.down(values[row]) : none}`);
+    for (let i = 0; i + 1 < time.length; i++) {
+      const [foot, top] = [side(low, i, 1e6), side(high, i, -1e6)];
+      if (isThere(low, i) || isThere(high, i)) allowed.push(`M${[...foot, top[1], top[0]].join("L")}Z`);
+      for (const [name, values, [from, to]] of [["low", low, foot], ["high", high, top]]) {
+        if (isThere(values, i)) edges[name] += isThere(values, i - 1) ? `L${to}` : `M${from}L${to}`;
+      }
+    }
+    return { allowed: allowed.join(""), edges: edges.low + edges.high };
+  }
+
+  corridor(told) {
+    const { allowed, edges } = this.walls(told);
+    return svg("g", { class: "band" }, svg("path", { class: "area", d: allowed }), svg("path", { d: edges }));
   }
 
   /** Draw what depends on the window of time and on the runs that are shown. */
@@ -246,11 +244,15 @@ class Lane {
 
   nameBands(from, to) {
     const named = this.told.bands.filter((band) => band.from <= to && band.to >= from);
-    const wanted = named.map((band) => {
+    const places = new Map();
+    for (const band of named) {
       const limits = [band.low, band.high].filter((each) => each !== null);
       const middle = limits.reduce((sum, each) => sum + each, 0) / (limits.length || 1);
+      places.set(middle, [...(places.get(middle) || []), ...band.ids]);
+    }
+    const wanted = [...places].map(([middle, ids]) => {
       const beyond = middle < this.low ? ` \u2193${number(middle, 3)}` : middle > this.high ? ` \u2191${number(middle, 3)}` : "";
-      return { part: clamped(this.part(middle), 0.04, 0.96), text: band.ids.join(", ") + beyond };
+      return { part: clamped(this.part(middle), 0.04, 0.96), text: [...new Set(ids)].join(", ") + beyond };
     });
     wanted.sort((one, other) => one.part - other.part);
     while (wanted.length > MOST_NAMED) joinNearest(wanted);
