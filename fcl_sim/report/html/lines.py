@@ -34,7 +34,6 @@ def scenario_data(outcome: Outcome, pack: Pack) -> Json:
     bases = _Bases(pack)
     drawn = sketches_of(runs)
     return {
-        "title": one_line(outcome.scenario.title),
         "name": outcome.scenario.name,
         "lanes": [_lane(each, views) for each in lanes_of(views, [view_of(run) for run in older])],
         "runs": [_run(run, sketch, bases, pack) for run, sketch in zip(runs, drawn, strict=True)],
@@ -84,7 +83,7 @@ def _run(run: Run, sketch: Sketch | None, bases: "_Bases", pack: Pack) -> Json:
         **_older(run, pack),
         "title": one_line(run.title),
         "verdict": str(run.verdict),
-        "fault": None if fault is None else {"time": fault.tick / 1e9, "text": one_line(fault.reason)},
+        "fault": None if fault is None else fault.tick / 1e9,
         "violations": [
             {"signals": [one_line(name) for name in told], "from": start, "to": end}
             for each in run.verdicts

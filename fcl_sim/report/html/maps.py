@@ -112,7 +112,6 @@ def _view(surface: Surface, limits: tuple[float, float], pack: Pack) -> Json:
     )  # the span may be infinite
     shades = np.where(told, share * (SHADES - 1) + 0.5, NONE).astype(np.uint8)
     return {
-        "title": surface.title,
         "x": pack.series(surface.x, whole=True),
         "y": pack.series(surface.y, whole=True),
         "cells": pack.plain(shades),

@@ -291,8 +291,8 @@ class Lane {
         const top = (this.strip * (row + 0.4)) / (this.missed.length + 0.5);
         if (row >= 0) over.push(place(each.from, each.to, `violation ${look(index)}`, top));
       }
-      if (index !== state.chosen || !run.told.fault) return;
-      const { time } = run.told.fault;
+      if (index !== state.chosen || run.told.fault === null) return;
+      const time = run.told.fault;
       under.push(place(time, this.scenario.end, "rest"));
       const mark = place(time, time, "fault");
       if (mark) mark.append(html("span", { class: time > (from + to) / 2 ? "late" : "" }, `FAULT at ${number(time)}\u00a0s`));
