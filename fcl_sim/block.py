@@ -131,7 +131,7 @@ class Block:
         """Return what `evaluate` does, and where any rule was active."""
         return evaluate(self.program_in(arithmetic), values, previous, self._declared())
 
-    def explain(self, **values: float) -> Explanation:
+    def explain(self, /, **values: float) -> Explanation:
         """Return one evaluation from the initial state, step by step; inputs and errors as in `evaluate`."""
         evaluate(self.program, values, None, self._declared())
         return self.instance().explain(**values)

@@ -74,8 +74,12 @@ def _share(tasks: Sequence[Task], done: Callable[[int], None], count: int) -> No
             tasks[number]()
             finished[number] = 1
 
-    copies = [_copy(lambda: work(_silent)) for _ in range(1, count)]
+    copies: list[int] = []
     try:
+        with suppress(OSError):  # the system has room for no more: those that there are do it all
+            for _ in range(1, count):
+                copy = _copy(lambda: work(_silent))
+                copies.append(copy)
         work(done)
         for copy in copies:
             os.waitpid(copy, 0)
@@ -186,17 +190,21 @@ class Copies:
         return work.answer.pop() if work.answer else work.task()
 
     def close(self) -> None:
-        """End what is under way."""
+        """End what is under way; what is asked for after that is done here."""
         _end([each.copy for each in self._under_way])
         for each in self._under_way:
             os.close(each.pipe)
             os.close(each.file)
+        for work in (*self._waiting, *(each.work for each in self._under_way)):
+            work.is_open = False
         self._under_way, self._waiting = [], []
 
     def _look(self, seconds: float | None) -> None:
         """Take what was answered, once there is any or so much time has passed, and start what can be."""
         self._start()
         pipes = [each.pipe for each in self._under_way]
+        if not pipes:  # of which some systems cannot select one
+            return
         ended, _, _ = select.select(pipes, [], [], seconds)
         for each in [each for each in self._under_way if each.pipe in ended]:
             self._under_way.remove(each)
@@ -208,7 +216,10 @@ class Copies:
         while self._waiting and len(self._under_way) < self._count:
             heaviest = max(self._waiting, key=lambda each: each.weight)
             self._waiting.remove(heaviest)
-            self._under_way.append(_started(heaviest))
+            try:
+                self._under_way.append(_started(heaviest))
+            except OSError:  # the system has room for no more: whoever asks for it does it
+                heaviest.is_open = False
 
 
 def results(tasks: Sequence[Callable[[], Value]], workers: int | None = None) -> list[Value]:
@@ -230,9 +241,15 @@ def results(tasks: Sequence[Callable[[], Value]], workers: int | None = None) ->
 
 
 def _started(work: Work[Any]) -> _Under:
-    file = os.memfd_create("answer")
-    pipe, end = os.pipe()
-    copy = _copy(lambda: _send(work.task(), work.known, file))
+    opened = [os.memfd_create("answer")]
+    try:
+        opened += os.pipe()
+        file, pipe, end = opened
+        copy = _copy(lambda: _send(work.task(), work.known, file))
+    except BaseException:
+        for each in opened:
+            os.close(each)
+        raise
     os.close(end)
     return _Under(work, copy, pipe, file)
 

@@ -73,6 +73,25 @@ def test_a_block_says_what_it_is(folder):
     assert repr(block) == "<Block container_crane: distance, angle -> power>"
 
 
+def test_an_input_may_be_called_as_python_calls_an_object_itself():
+    block = fcl_sim.loads(CRANE.replace("distance", "self"))
+    assert block.explain(self=12.0, angle=4.0).defuzzified[0].value == 7.2
+    for arithmetic in ("LREAL", "REAL"):
+        crane = block.instance(arithmetic)
+        crane(self=12.0, angle=4.0)
+        assert crane.power == pytest.approx(7.2)
+        assert crane.explain(self=12.0).defuzzified[0].value == pytest.approx(7.2)
+    counts = block.instance("INT")
+    counts(self=12, angle=4)
+    assert counts.power == 7
+
+
+def test_an_output_may_be_called_as_python_calls_an_object_itself():
+    crane = fcl_sim.loads(CRANE.replace("power", "self")).instance()
+    crane.resume(self=5.0)
+    assert crane.outputs == {"self": 5.0}
+
+
 @pytest.mark.parametrize("arithmetic", ["SREAL", "DINT", "lreal"])
 def test_an_arithmetic_that_is_not_there_is_an_error_that_lists_what_is(arithmetic):
     block = fcl_sim.loads(CRANE)

@@ -191,6 +191,78 @@ def interruptible():
     signal.signal(signal.SIGINT, before)
 
 
+@pytest.fixture
+def refused(monkeypatch):
+    """Let the system refuse every fork but so many first ones; return what sets how many."""
+    left, fork = [0], os.fork
+
+    def refusing():
+        if not left[0]:
+            raise BlockingIOError(11, "Resource temporarily unavailable")
+        left[0] -= 1
+        return fork()
+
+    monkeypatch.setattr("fcl_sim.forked.os.fork", refusing)
+    return partial(left.__setitem__, 0)
+
+
+def opened():
+    return len(list(Path("/proc/self/fd").iterdir()))
+
+
+@copied
+@pytest.mark.parametrize("granted", [0, 1])
+def test_where_a_copy_is_refused_those_that_there_are_do_every_task(tmp_path, refused, granted):
+    refused(granted)
+    do_all(tasks(tmp_path), lambda _: None, 3)
+    assert len(list(tmp_path.iterdir())) == 40
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+@copied
+@pytest.mark.parametrize("granted", [0, 1])
+def test_work_whose_copy_is_refused_is_done_here_and_nothing_stays_open(refused, granted):
+    before = opened()
+    refused(granted)
+    copies = Copies(2)
+    works = [copies.begin(lambda number=number: number) for number in range(4)]
+    assert [copies.result(work) for work in works] == [0, 1, 2, 3]
+    copies.close()
+    assert opened() == before
+
+
+@copied
+def test_nothing_stays_open_of_work_that_is_interrupted_as_it_begins(monkeypatch):
+    def interrupted():
+        raise KeyboardInterrupt
+
+    before = opened()
+    monkeypatch.setattr("fcl_sim.forked.os.fork", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        Copies(1).begin(lambda: 1)
+    assert opened() == before
+
+
+@copied
+def test_what_is_asked_for_after_the_end_is_done_here():
+    copies = Copies(1)
+    works = [copies.begin(lambda number=number: (number, os.getpid())) for number in range(2)]
+    copies.close()
+    assert [copies.result(work) for work in works] == [(0, HERE), (1, HERE)]
+
+
+def test_without_a_copy_at_work_nothing_is_waited_for(monkeypatch):
+    def refusing(read, write, failed, seconds=None):
+        raise OSError(10022, "An invalid argument was supplied")
+
+    monkeypatch.setattr("fcl_sim.forked.select.select", refusing)
+    monkeypatch.setattr("fcl_sim.forked.sys.platform", "win32")
+    copies = Copies(2)
+    assert not copies.free()
+    assert copies.result(copies.begin(lambda: 5)) == 5
+
+
 @copied
 @pytest.mark.usefixtures("interruptible")
 def test_an_interrupt_in_the_midst_of_a_fork_is_not_lost():

@@ -44,7 +44,7 @@ class IntegerInstance:
         self._memory = self._network.memory.copy()
         self.reset()
 
-    def __call__(self, **inputs: float) -> None:
+    def __call__(self, /, **inputs: float) -> None:
         """Evaluate once.
 
         Raises TypeError for an unknown input or what is no number, ValueError
@@ -94,7 +94,7 @@ class IntegerInstance:
         """Whether any rule was active for each output at the last call."""
         return {name: bool(self._memory[words].any()) for name, words in self._network.shares.items()}
 
-    def resume(self, **outputs: float) -> None:
+    def resume(self, /, **outputs: float) -> None:
         """Set outputs to values from which the next call goes on: what NC keeps, as after a warm restart.
 
         Raises TypeError for an unknown output or what is no number, ValueError
@@ -106,7 +106,7 @@ class IntegerInstance:
             memory[self._network.outputs[known]] = self._counts(known, value)
         self._memory = memory
 
-    def beyond(self, **inputs: float) -> str:
+    def beyond(self, /, **inputs: float) -> str:
         """Return the first of these inputs that INT cannot hold, empty where it can hold all."""
         for name, value in inputs.items():
             try:

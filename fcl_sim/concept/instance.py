@@ -67,7 +67,7 @@ class Instance:
         self.event: Event | None = None
         self._assign(initial, (*words, *kind.outputs), "input or output")
 
-    def __call__(self, *, EN: bool = True, **inputs: Value) -> None:  # noqa: N803  the name of the input
+    def __call__(self, /, *, EN: bool = True, **inputs: Value) -> None:  # noqa: N803  the name of the input
         """Run once; with EN false outputs stay and ENO is false (p. 86)."""
         self._assign(inputs, self._kind.inputs(self._stretched), "input")
         number = self._run() if EN else 0

@@ -57,7 +57,7 @@ class Instance:
         rest = (*NOTHING[count:], address(self._placed[1]))
         self._together = _picked(program.input_names), count if together else -1, run, rest
 
-    def __call__(self, **inputs: float) -> None:
+    def __call__(self, /, **inputs: float) -> None:
         """Evaluate once.
 
         Raises TypeError for an unknown input or what is no number, ValueError
@@ -133,14 +133,14 @@ class Instance:
         """Degree of firing of each rule at the last call."""
         return self._stretch(self._program.degrees_at, self._program.rule_labels)
 
-    def explain(self, **inputs: float) -> Explanation:
+    def explain(self, /, **inputs: float) -> Explanation:
         """Return what a call with `inputs` would do, step by step; the instance stays as it is."""
         memory = self._memory.copy()
         for name, value in self._checked(inputs).items():
             memory[self._places[name]] = value
         return explain(self._block, self._program, memory)
 
-    def resume(self, **outputs: float) -> None:
+    def resume(self, /, **outputs: float) -> None:
         """Set outputs to values from which the next call goes on: what NC keeps, as after a warm restart.
 
         Raises TypeError for an unknown output or what is no number.

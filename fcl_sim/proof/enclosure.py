@@ -76,7 +76,7 @@ class Enclosure:
         }
         if len(accumulations) > 1 and self._output.accumulation is None:
             raise NotEnclosed("its rule blocks disagree on ACCU")
-        self._accumulation = self._output.accumulation or next(iter(accumulations))
+        self._accumulation = self._output.accumulation or next(iter(accumulations), Accumulation.MAX)
         self._reach = self._area_reach()
 
     def rules(self, boxes: Boxes) -> list[tuple[Rule, Span]]:
@@ -91,6 +91,8 @@ class Enclosure:
     def law(self, boxes: Boxes) -> Law:
         """Return what is known of the output over boxes."""
         concluded = self._concluded(boxes)
+        if not concluded:
+            return self._without_a_rule(len(boxes))
         law = self._defuzzified(self._accumulated(concluded), len(boxes))
         return law if self._reach is None else self._of_area(law, concluded, self._reach)
 
@@ -176,6 +178,13 @@ class Enclosure:
         undefined = law.maybe_undefined | ~(least > 0.0)
         low, high = self._with_default(low, high, undefined)
         return replace(law, low=low, high=high, maybe_undefined=undefined)
+
+    def _without_a_rule(self, boxes: int) -> Law:
+        """Return what is known of an output that no rule concludes on: its default."""
+        none = np.full(boxes, np.inf)
+        low, high = self._with_default(none, -none, np.ones(boxes, dtype=bool))
+        flat = np.full((boxes, len(self._inputs)), np.inf)
+        return Law(low, high, -flat, flat, np.ones(boxes, dtype=bool))
 
     def _defuzzified(self, spans: Mapping[str, Span], boxes: int) -> Law:
         names = sorted(spans, key=lambda each: self._places[each])

@@ -43,7 +43,8 @@ LEVEL = 1e-9
 def of_runs(runs: Sequence[Shown], shown: Sequence[Lane]) -> str:
     """Return what a time plot shows: of each signal start, end and range, of each verdict how it came out."""
     labels = joined([one_line(run.label) for run in runs])
-    parts = [f"{counted(len(shown), 'time plot')} over {with_unit(runs[0].duration, 's')}, run {labels}."]
+    end = max(run.duration for run in runs)
+    parts = [f"{counted(len(shown), 'time plot')} over {with_unit(end, 's')}, run {labels}."]
     for run in runs:
         prefix = f"{one_line(run.label)}: " if len(runs) > 1 else ""
         plotted = [lane for lane in shown if lane.focus is None and lane.signal in run.trace]

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -11,10 +12,14 @@ from fcl_sim.loop.trace import Values
 from fcl_sim.report import lettering, style
 from fcl_sim.report.canvas import Axes, Line, Text, between, rectangle, span
 from fcl_sim.report.ranges import width
+from fcl_sim.report.violations import Interval
 from fcl_sim.report.words import number, one_line
 
 FAR = 1.5
 """A bound that lies further outside than so many spans of the data is named, not drawn."""
+
+NOISE = 1e-6
+"""A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
 
 NARROW = 8.0
 """Bounds are narrow when the data span so many times their distance."""
@@ -40,13 +45,10 @@ SHORTEST, DASH = 0.7, 5.0
 MOST_STRIP = 0.3
 """The part of an axis that such rows take at most."""
 
-Interval = tuple[float, float]
-"""Start and end in seconds."""
-
 
 def worth_showing(limit: float, low: float, high: float) -> bool:
     """Return whether the axis of data from `low` to `high` is stretched to show `limit`."""
-    span = (high - low) or abs(limit)
+    span = high - low if high - low > NOISE * max(abs(low), abs(high)) else abs(limit)
     return low - FAR * span <= limit <= high + FAR * span
 
 
@@ -100,16 +102,31 @@ def _seen(axes: Axes, interval: Interval, shortest: float) -> Interval:
 
 
 def draw_corridors(axes: Axes, corridors: Sequence[Corridor]) -> None:
-    """Shade what lies between the edges of corridors, and draw them; an edge that is none is not drawn."""
+    """Shade what lies between the edges of corridors, and draw them.
+
+    An edge is there between two rows that both have one, as the judge takes it;
+    where there is none on a side all of that side is allowed.
+    """
     bottom, top = axes.y
     for corridor in corridors:
         time = np.array(corridor.ticks) / 1e9
         low, high = np.array(corridor.low), np.array(corridor.high)
-        under = np.clip(np.where(np.isnan(low), bottom, low), bottom, top)
-        over = np.clip(np.where(np.isnan(high), top, high), bottom, top)
-        axes.add(between(time, under, over, style.BAND, z=1))
+        for rows in _alike(low, high):
+            under, over = low[rows], high[rows]
+            has_low, has_high = not np.isnan(under).any(), not np.isnan(over).any()
+            under = np.clip(under if has_low else np.full(len(under), bottom), bottom, top)
+            over = np.clip(over if has_high else np.full(len(over), top), bottom, top)
+            if has_low or has_high:
+                axes.add(between(time[rows], under, over, style.BAND, z=1))
         for edge in (low, high):
             axes.add(Line(time, edge, style.BOUND, 0.7, DASHED))
+
+
+def _alike(low: Values, high: Values) -> list[slice]:
+    """Return the stretches of rows in which the same edges of a corridor (n,) are there throughout."""
+    there = [~np.isnan(each[:-1]) & ~np.isnan(each[1:]) for each in (low, high)]
+    changes = np.flatnonzero(np.diff(2 * there[0] + there[1])) + 1
+    return [slice(first, last + 1) for first, last in pairwise([0, *changes.tolist(), len(low) - 1])]
 
 
 def _name_bounds(axes: Axes, labels: Mapping[float, Sequence[str]]) -> None:
@@ -118,12 +135,24 @@ def _name_bounds(axes: Axes, labels: Mapping[float, Sequence[str]]) -> None:
     wanted = sorted(labels)
     places = [min(max((middle - low) / (high - low), 0.0), 1.0) for middle in wanted]
     for at, middle in zip(apart(places, LABEL / axes.height), wanted, strict=True):
-        text = one_line(", ".join(labels[middle]))
+        where = ""
         if not low <= middle <= high:
             arrow = "\N{DOWNWARDS ARROW}" if middle < low else "\N{UPWARDS ARROW}"
-            text = f"{text} {arrow}{number(middle, 3)}"
-        shown = lettering.cut(text, RIGHT, style.SMALL)
+            where = f" {arrow}{number(middle, 3)}"
+        shown = listed([one_line(each) for each in dict.fromkeys(labels[middle])], where)
         axes.add(Text(1.0, at, shown, style.SMALL, style.BOUND, up="center", shift=(1.4, 0.0), parts=True))
+
+
+def listed(ids: Sequence[str], where: str) -> str:
+    """Return names beside a bound, and `where` it lies: whole ones, the first where not all fit."""
+    tails = [(count, f", …{where}") for count in range(len(ids) - 1, 0, -1)]
+    if tails:
+        tails.append((1, f", …{where[:2]}"))  # the arrow alone
+    for count, tail in [(len(ids), where), *tails]:
+        text = ", ".join(ids[:count]) + tail
+        if lettering.text_width(text, style.SMALL) <= RIGHT:
+            return text
+    return lettering.cut(ids[0], RIGHT - lettering.text_width(tail, style.SMALL), style.SMALL) + tail
 
 
 def apart(places: Sequence[float], least: float) -> list[float]:

@@ -16,7 +16,7 @@ from fcl_sim.report import alt, lettering, style, summary
 from fcl_sim.report.canvas import Axes, Dot, Figure, Text, span, upright
 from fcl_sim.report.frame import draw_frame, room_below, ticks
 from fcl_sim.report.pictures import Picture, numbered
-from fcl_sim.report.time_plots import Shown, lanes, pages, time_plot
+from fcl_sim.report.time_plots import Shown, lanes_of, pages, time_plot
 from fcl_sim.report.words import bound, bracketed, counted, figure, joined, metric_name, one_line, together
 from fcl_sim.testbench import Run
 
@@ -156,7 +156,7 @@ def _over_time(run: Run, envelope: Envelope) -> list[Picture]:
     chosen = list(dict.fromkeys(failing))[:MOST_RUNS]
     runs = [_shown("nominal", run)]
     runs += [_shown(envelope.worst_runs[index].label, envelope.worst_runs[index]) for index in chosen]
-    judged = [lane for lane in lanes(runs[-1]) if lane.judged] if chosen else []
+    judged = [lane for lane in lanes_of(runs) if lane.judged] if chosen else []
     return [
         Picture(
             name=f"{run.variant}-envelope-worst-{number + 1}",

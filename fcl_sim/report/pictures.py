@@ -9,10 +9,11 @@ import numpy as np
 from fcl_sim.judge.verdict import Verdict
 from fcl_sim.loop.diagram import FuzzyNode, Node
 from fcl_sim.report import alt
+from fcl_sim.report.bands import NOISE
 from fcl_sim.report.canvas import Figure
 from fcl_sim.report.events import marks_of
 from fcl_sim.report.ranges import width
-from fcl_sim.report.time_plots import NOISE, Lane, Shown, lanes, pages, time_plot
+from fcl_sim.report.time_plots import Lane, Shown, lanes, lanes_of, pages, time_plot
 from fcl_sim.report.words import joined, one_line, with_unit
 from fcl_sim.testbench import Outcome, Run
 
@@ -34,7 +35,7 @@ class Picture:
 def all_runs(outcome: Outcome) -> list[Picture]:
     """Return the judged signals with all runs overlaid; nothing where there is one run, or nothing judged."""
     runs = [view_of(run) for run in outcome.variants.values()]
-    wanted = [lane for lane in lanes(runs[0]) if lane.judged] if len(runs) > 1 else []
+    wanted = [lane for lane in lanes_of(runs) if lane.judged] if len(runs) > 1 else []
     parted = pages(wanted, runs)
     return [
         Picture(

@@ -182,7 +182,7 @@ def _outline(surface: Surface) -> list[list[tuple[float, float]]]:
 
 def _draw_track(axes: Axes, track: Track) -> None:
     (left, right), (low, high) = axes.x, axes.y
-    kept = _kept(track, (right - left, high - low))
+    kept = kept_points(track, (right - left, high - low))
     x, y, active = track.x[kept], track.y[kept], track.active[kept]
     if not len(x):
         return
@@ -212,7 +212,7 @@ def _ages(track: Track, kept: NDArray[np.intp]) -> Iterator[tuple[int, int, str]
             yield int(start), int(end) + 1, colour  # up to the next one's first point
 
 
-def _kept(track: Track, spans: tuple[float, float], cells: int = CELLS) -> NDArray[np.intp]:
+def kept_points(track: Track, spans: tuple[float, float], cells: int = CELLS) -> NDArray[np.intp]:
     """Return which points of a track are finite and leave their `cells`-th of the spans, and its last."""
     finite = np.flatnonzero(np.isfinite(track.x) & np.isfinite(track.y))
     if len(finite) < 2:
@@ -222,11 +222,3 @@ def _kept(track: Track, spans: tuple[float, float], cells: int = CELLS) -> NDArr
     keep = np.concatenate(([True], (np.diff(places, axis=1) != 0).any(axis=0)))
     keep[-1] = True
     return finite[keep]
-
-
-def thinned_path(
-    track: Track, spans: tuple[float, float], cells: int = CELLS
-) -> tuple[Values, Values, NDArray[np.bool_]]:
-    """Return the points of a track that are finite and leave their `cells`-th of the spans, and its last."""
-    kept = _kept(track, spans, cells)
-    return track.x[kept], track.y[kept], track.active[kept]

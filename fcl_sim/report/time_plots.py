@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from hashlib import blake2b
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,7 @@ from fcl_sim.judge.verdict import Band, Corridor, Verdict
 from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import lettering, ranges, style
 from fcl_sim.report.bands import (
-    Interval,
+    NOISE,
     draw_bands,
     draw_corridors,
     draw_strip,
@@ -25,7 +26,7 @@ from fcl_sim.report.frame import draw_frame, room_below, scale_of, ticks
 from fcl_sim.report.legend import draw_legend, legend_height
 from fcl_sim.report.naming import FOOT, Name, Placed, arranged, draw_names, height_of
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.violations import all_violations
+from fcl_sim.report.violations import Interval, all_violations
 from fcl_sim.report.words import bracketed, number, one_line, with_unit
 
 LEFT, RIGHT = 14.0, 18.0
@@ -45,9 +46,6 @@ STRETCH = 1.6
 
 NOTHING = 1e-9
 """A signal that ends so far below its largest value ends at zero."""
-
-NOISE = 1e-6
-"""A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
 
 BUCKETS = 400
 """A line is thinned to its extremes in so many stretches: each narrower than the line."""
@@ -90,30 +88,47 @@ class Lane:
 
 
 def lanes(run: Shown) -> list[Lane]:
-    """Return the axes of a run: judged signals first, equal signals once under all their names.
+    """Return the axes of a run alone, as `lanes_of` does."""
+    return lanes_of([run])
 
-    A judged signal whose bounds are narrow beside its range gets a second axis
-    close to them. A clock, which is the time itself, gets none.
+
+def lanes_of(runs: Sequence[Shown], older: Sequence[Shown] = ()) -> list[Lane]:
+    """Return the axes of runs over one another: judged ones first, equal signals once under all their names.
+
+    Judged is what any of the runs is judged by; equal is what is so in each of them
+    and in those that are `older`, which are drawn behind. A judged signal whose bounds
+    are narrow beside its range gets a second axis close to them. A clock, which is the
+    time itself, gets none.
     """
-    trace = run.trace
-    judged = {name for verdict in run.verdicts for name in verdict.requirement.signals}
-    found: dict[tuple[str, bytes], list[str]] = {}
-    for column, name in enumerate(trace.names):
-        key = (trace.units[name], np.ascontiguousarray(trace.values[:, column]).tobytes())
-        found.setdefault(key, []).append(name)
+    judged = {name for run in runs for verdict in run.verdicts for name in verdict.requirement.signals}
+    found: dict[tuple[object, ...], list[str]] = {}
+    for name in dict.fromkeys(name for run in runs for name in run.trace.names):
+        found.setdefault(tuple(_told_by(run.trace, name) for run in (*runs, *older)), []).append(name)
     first: list[Lane] = []
     others: list[Lane] = []
-    for (unit, _), names in found.items():
+    for names in found.values():
         names.sort(key=lambda name: name not in judged)
-        is_clock = unit == "s" and np.allclose(trace[names[0]], trace.time, rtol=NOTHING, atol=NOTHING)
-        if is_clock and names[0] not in judged:
+        traces = [run.trace for run in runs if names[0] in run.trace]
+        if names[0] not in judged and all(_is_clock(each, names[0]) for each in traces):
             continue
+        unit = traces[0].units[names[0]]
         lane = Lane(signal=names[0], names=tuple(names), unit=unit, judged=names[0] in judged)
         (first if lane.judged else others).append(lane)
-        focus = focus_on(bands_of(lane, [run]), trace[lane.signal])
+        focus = focus_on(bands_of(lane, runs), np.concatenate([each[lane.signal] for each in traces]))
         if focus is not None:
             first.append(replace(lane, focus=focus))
     return first + others
+
+
+def _told_by(trace: Trace, name: str) -> tuple[str, bytes] | None:
+    """Return what two signals of a run have in common where they are equal; None of one that it lacks."""
+    if name not in trace:
+        return None
+    return trace.units[name], blake2b(trace[name].tobytes(), digest_size=16).digest()
+
+
+def _is_clock(trace: Trace, name: str) -> bool:
+    return trace.units[name] == "s" and np.allclose(trace[name], trace.time, rtol=NOTHING, atol=NOTHING)
 
 
 def thinned(time: Values, values: Values, buckets: int = BUCKETS) -> tuple[Values, Values]:

@@ -6,6 +6,7 @@ import pytest
 from fcl_sim.block import loads
 from fcl_sim.proof.degrees import Boxes
 from fcl_sim.proof.enclosure import Enclosure
+from fcl_sim.proof.prove import prove
 from tests.house.places import ROOT
 from tests.proof.bases import ANY, block_of, random_text
 
@@ -106,6 +107,25 @@ def test_bounds_close_in_on_the_law_as_boxes_shrink():
         widths.append(np.mean(law.high - law.low))
     assert widths[1] < 0.3 * widths[0]
     assert widths[2] < 0.3 * widths[1]
+
+
+@pytest.mark.parametrize("terms", ["TERM a := 1;", "TERM a := (0, 0) (1, 1) (2, 0);"])
+def test_an_output_that_no_rule_concludes_on_has_its_default(terms):
+    method = "CoG" if "(" in terms else "CoGS"
+    text = f"""FUNCTION_BLOCK lone
+VAR_INPUT x: REAL; END_VAR
+VAR_OUTPUT u: REAL; w: REAL; END_VAR
+FUZZIFY x TERM low := (0, 0) (1, 1); END_FUZZIFY
+DEFUZZIFY u {terms} METHOD: {method}; DEFAULT := 0; END_DEFUZZIFY
+DEFUZZIFY w {terms} METHOD: {method}; DEFAULT := 0.5; END_DEFUZZIFY
+RULEBLOCK r AND: MIN; RULE 1: IF x IS low THEN u IS a; END_RULEBLOCK
+END_FUNCTION_BLOCK"""
+    law = Enclosure(block_of(text), "w").law(Boxes(np.zeros((3, 1)), np.ones((3, 1))))
+    assert law.maybe_undefined.all()
+    assert (law.low <= 0.5).all()
+    assert (law.high >= 0.5).all()
+    assert evaluated(text, block_of(text), np.ones((1, 1)))["w"] == [0.5]
+    assert prove(block_of(text))  # by other algorithms too, as ACCU is left out
 
 
 @pytest.mark.parametrize("method", ["CoG", "CoA"])

@@ -14,7 +14,7 @@ from fcl_sim.report.characteristics import characteristic, memberships, over_inp
 from fcl_sim.report.exits import told
 from fcl_sim.report.sampling import Track, closer, curve, domains, following, surface
 from fcl_sim.report.style import INK, VIOLATION_EDGE
-from fcl_sim.report.surface import thinned_path
+from fcl_sim.report.surface import kept_points
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, ONE_INPUT, THREE_INPUTS, crane, run
 
@@ -109,14 +109,15 @@ def test_the_closer_look_is_taken_only_where_it_shows_more():
 def test_a_thinned_path_keeps_its_ends(x, y):
     count = min(len(x), len(y))
     x, y = x[:count], y[:count]
-    kept_x, kept_y, _ = thinned_path(Track(x, y, np.ones(count, dtype=bool)), (1.0, 1.0))
-    assert (kept_x[0], kept_y[0], kept_x[-1], kept_y[-1]) == (x[0], y[0], x[-1], y[-1])
+    kept = kept_points(Track(x, y, np.ones(count, dtype=bool)), (1.0, 1.0))
+    assert (kept[0], kept[-1]) == (0, count - 1)
 
 
 def test_a_thinned_path_keeps_where_rules_stop_being_active():
     still = np.zeros(9)
     active = np.array([True] * 4 + [False] * 2 + [True] * 3)
-    assert thinned_path(Track(still, still, active), (1.0, 1.0))[2].tolist() == [True, False, True, True]
+    kept = kept_points(Track(still, still, active), (1.0, 1.0))
+    assert active[kept].tolist() == [True, False, True, True]
 
 
 def test_the_way_without_an_active_rule_is_drawn_in_another_colour(tmp_path):

@@ -9,15 +9,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fcl_sim.judge.corridor import edges
 from fcl_sim.judge.verdict import Band, Corridor, Status
 from fcl_sim.loop.diagram import Node
-from fcl_sim.report.bands import apart, focus_on
+from fcl_sim.report.bands import RIGHT, apart, draw_corridors, focus_on, listed, worth_showing
 from fcl_sim.report.canvas import Axes, Line, Shape
-from fcl_sim.report.pictures import over_time
-from fcl_sim.report.style import BAND, VIOLATION, stroke
-from fcl_sim.report.time_plots import Shown, lanes, thinned, time_plot
+from fcl_sim.report.lettering import text_width
+from fcl_sim.report.pictures import all_runs, over_time
+from fcl_sim.report.style import BAND, SMALL, VIOLATION, stroke
+from fcl_sim.report.time_plots import Shown, lanes, lanes_of, thinned, time_plot
 from tests.report.legible import clashes, cut, texts
-from tests.report.synthetic import EVIL, LONG, of_formula, requirement, run, trace, verdict, verdicts
+from tests.report.synthetic import EVIL, LONG, of_formula, outcome, requirement, run, trace, verdict, verdicts
 
 
 def shown(kind: str = "settles", label: str = "base", **given) -> Shown:
@@ -40,6 +42,44 @@ def test_signals_that_are_equal_are_drawn_once_under_all_their_names():
         ("crane.distance", "controller.distance"),
         ("crane.sway",),
     ]
+
+
+def shifted(found, by=7.0):
+    """Return a trace whose sensor is off: what the controller reads is not what the crane does."""
+    values = found.values.copy()
+    values[:, 2] += by
+    return replace(found, values=values)
+
+
+def test_signals_that_part_in_any_run_have_an_axis_each():
+    runs = [shown(), shown(label="sensor off", trace=shifted(trace()))]
+    names = [lane.names for lane in lanes_of(runs) if lane.focus is None]
+    assert ("crane.distance",) in names
+    assert ("controller.distance",) in names
+    beside = [lane.names for lane in lanes_of(runs[:1], runs[1:]) if lane.focus is None]
+    assert sorted(beside) == sorted(names)  # one that is drawn behind counts, too
+
+
+def test_a_signal_that_only_a_later_run_has_gets_an_axis():
+    other = trace(names=("crane.distance", "crane.sway", "controller.distance", "valve"))
+    found = lanes_of([shown(), shown(label="other", trace=other)])
+    assert {"valve", "controller.rules.power"} <= {name for lane in found for name in lane.names}
+
+
+def test_what_only_a_variant_is_judged_by_is_among_the_judged_signals(tmp_path):
+    sway = verdict(id="CR-9", signal="crane.sway", unit="deg")
+    runs = [run(tmp_path, verdicts=(verdict(),)), run(tmp_path, "v2", verdicts=(verdict(), sway))]
+    (picture,) = all_runs(outcome(tmp_path, *runs))
+    assert "crane.sway" in [axes.label for axes in picture.draw().axes]
+    assert "CR-9: PASS" in picture.alt
+
+
+def test_the_text_of_runs_tells_the_time_of_the_longest(tmp_path):
+    made = run(tmp_path, "long")
+    timing = replace(made.diagram.timing, duration=120 * 10**9)
+    longer = replace(made, diagram=replace(made.diagram, timing=timing))
+    (picture,) = all_runs(outcome(tmp_path, run(tmp_path), longer))
+    assert " over 120\N{NO-BREAK SPACE}s, run base and long." in picture.alt
 
 
 def test_judged_signals_stand_first():
@@ -65,6 +105,17 @@ def test_a_signal_with_narrow_bounds_is_looked_at_closely():
 def test_only_narrow_bounds_on_both_sides_ask_for_a_closer_look(low, high, close):
     band = Band(signal="x", low=low, high=high, start=0.0, end=1.0)
     assert (focus_on({band: ["R"]}, np.linspace(0.0, 25.0, 9)) is not None) == close
+
+
+def test_of_a_signal_at_rest_a_bound_is_shown_though_its_last_digit_moves():
+    for high in (20.0, math.nextafter(20.0, 30.0)):
+        assert worth_showing(22.0, 20.0, high)
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_signal_that_spans_more_than_a_number_holds_is_looked_at_closely():
+    band = Band(signal="x", low=-0.5, high=0.5, start=0.0, end=1.0)
+    assert focus_on({band: ["R"]}, np.array([-1.5e308, 1.5e308])) is not None
 
 
 SERIES = st.lists(st.one_of(st.floats(-1e9, 1e9), st.just(float("nan"))), min_size=1, max_size=400)
@@ -191,6 +242,55 @@ def test_a_corridor_is_drawn_with_its_edges_whole():
     (axes,) = time_plot([run], [lane]).axes
     assert axes.y[0] < -40.0
     assert [0.0, 60.0] in [[*line.x] for line in axes.of(Line)]
+
+
+def corridor(low, high):
+    ticks = tuple(each * 10**10 for each in range(len(low)))
+    return Corridor(name="k.csv", signal="crane.sway", ticks=ticks, low=low, high=high)
+
+
+CELL = st.one_of(st.just(math.nan), st.floats(-19.0, 0.0))
+
+
+@given(st.lists(st.tuples(CELL, CELL), min_size=2, max_size=7))
+def test_what_a_corridor_shades_is_what_its_judge_allows(rows):
+    asked = corridor(tuple(row[0] for row in rows), tuple(-row[1] for row in rows))
+    axes = Axes(0.0, 0.0, 100.0, 20.0)
+    axes.x, axes.y = (0.0, 60.0), (-20.0, 20.0)
+    draw_corridors(axes, [asked])
+    shapes = axes.of(Shape)
+    for middle in np.arange(len(rows) - 1) * 10.0 + 5.0:
+        low, high = (float(each[0]) for each in edges(asked, np.array([middle * 1e9], dtype=np.int64)))
+        around = [each for each in shapes if min(each.x) < middle < max(each.x)]
+        if math.isinf(low) and math.isinf(high):
+            assert around == []
+            continue
+        (shape,) = around
+        half = len(shape.x) // 2
+        assert np.interp(middle, shape.x[:half], shape.y[:half]) == pytest.approx(max(low, -20.0))
+        assert np.interp(middle, shape.x[half:][::-1], shape.y[half:][::-1]) == pytest.approx(min(high, 20.0))
+
+
+def test_a_requirement_is_named_once_beside_bounds_that_differ_only_in_time():
+    early = replace(verdict(), band=Band(signal="crane.distance", low=-0.5, high=0.5, start=30.0, end=60.0))
+    runs = [shown(verdicts=(verdict(),)), shown(label="early", verdicts=(early,))]
+    told = [text for text, _ in texts(time_plot(runs, lanes_of(runs))) if "CR-1" in text]
+    assert all(text.count("CR-1") == 1 for text in told)
+    assert told
+
+
+@given(st.lists(st.integers(1, 99), min_size=1, max_size=12, unique=True), st.sampled_from(["", " ↑25.5"]))
+def test_names_beside_a_bound_are_whole_and_fit_and_it_is_seen_where_some_are_left_out(numbers, where):
+    ids = [f"CR-{each}" for each in numbers]
+    text = listed(ids, where)
+    assert text_width(text, SMALL) <= RIGHT
+    names = text.removesuffix(where).removesuffix(where[:2]).split(", ")
+    assert names == ids or (names[-1] == "…" and names[:-1] == ids[: len(names) - 1])
+
+
+def test_a_name_longer_than_there_is_room_is_cut():
+    assert text_width(listed([LONG, "CR-2"], ""), SMALL) <= RIGHT
+    assert listed([LONG, "CR-2"], "").endswith(", …")
 
 
 def test_scans_without_an_active_rule_are_hatched_on_the_output_alone():

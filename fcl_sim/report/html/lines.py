@@ -7,7 +7,7 @@ import numpy as np
 
 from fcl_sim.judge.verdict import Band, Corridor
 from fcl_sim.loop.diagram import FuzzyNode
-from fcl_sim.loop.trace import FuzzyRecord, Trace, Values
+from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.model.labels import unique_labels
 from fcl_sim.report import style
 from fcl_sim.report.html.maps import characteristics
@@ -17,7 +17,7 @@ from fcl_sim.report.plant_sketches import sketches_of
 from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.sketch import Amount, Delayed, Group, Motion, Paint, Piece, Sketch, Tint
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes
+from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes_of
 from fcl_sim.report.violations import violations
 from fcl_sim.report.words import one_line
 from fcl_sim.testbench import Outcome, Run
@@ -34,26 +34,13 @@ def scenario_data(outcome: Outcome, pack: Pack) -> Json:
     bases = _Bases(pack)
     drawn = sketches_of(runs)
     return {
-        "title": one_line(outcome.scenario.title),
         "name": outcome.scenario.name,
-        "lanes": [_lane(each, views) for each in _lanes(views)],
+        "lanes": [_lane(each, views) for each in lanes_of(views, [view_of(run) for run in older])],
         "runs": [_run(run, sketch, bases, pack) for run, sketch in zip(runs, drawn, strict=True)],
         "older": [_older(run, pack) for run in older],
         "olderLabel": "" if outcome.against is None else one_line(outcome.against.label),
         "bases": bases.told(),
     }
-
-
-def _lanes(views: Sequence[Shown]) -> list[Lane]:
-    """Return the lanes of all runs, each signal once, the judged ones first."""
-    found: dict[tuple[str, bool], Lane] = {}
-    known: set[str] = set()
-    for view in views:
-        for lane in lanes(view):
-            if lane.focus is not None or known.isdisjoint(lane.names):
-                found.setdefault((lane.signal, lane.focus is not None), lane)
-        known |= set(view.trace.names)
-    return sorted(found.values(), key=lambda lane: not lane.judged)
 
 
 def _lane(lane: Lane, views: Sequence[Shown]) -> Json:
@@ -96,9 +83,9 @@ def _run(run: Run, sketch: Sketch | None, bases: "_Bases", pack: Pack) -> Json:
         **_older(run, pack),
         "title": one_line(run.title),
         "verdict": str(run.verdict),
-        "fault": None if fault is None else {"time": fault.tick / 1e9, "text": one_line(fault.reason)},
+        "fault": None if fault is None else fault.tick / 1e9,
         "violations": [
-            {"signals": told, "from": start, "to": end}
+            {"signals": [one_line(name) for name in told], "from": start, "to": end}
             for each in run.verdicts
             for told in [each.blamed or each.requirement.signals]
             for start, end in violations(run.trace, each, told)
@@ -113,21 +100,12 @@ def _older(run: Run, pack: Pack) -> Json:
     trace, timing = run.trace, run.diagram.timing
     return {
         "name": one_line(run.variant),
-        "time": _clock(trace, pack),
+        "time": pack.times(trace.ticks),
         "duration": timing.duration / 1e9,
         "scan": timing.scan / 1e9,
         "signals": {name: pack.series(trace.values[:, at]) for at, name in enumerate(trace.names)},
         "units": {name: one_line(trace.units[name]) for name in trace.names},
     }
-
-
-def _clock(trace: Trace, pack: Pack) -> Json:
-    """Return the times of samples: begin and step in nanoseconds, or a series of seconds."""
-    steps = np.diff(trace.ticks)
-    begin = int(trace.ticks[0]) if len(trace.ticks) else 0
-    if not len(steps) or (steps == steps[0]).all():
-        return {"begin": begin, "step": int(steps[0]) if len(steps) else 0, "count": len(trace.ticks)}
-    return {"at": pack.series(trace.time, whole=True), "count": len(trace.ticks)}
 
 
 def _block(run: Run, node: FuzzyNode, bases: "_Bases", pack: Pack) -> Json:

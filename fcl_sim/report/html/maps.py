@@ -7,7 +7,7 @@ import numpy as np
 
 from fcl_sim.block import Block
 from fcl_sim.loop.trace import FuzzyRecord, Values
-from fcl_sim.report import sampling
+from fcl_sim.report import ranges, sampling
 from fcl_sim.report.characteristics import Subject, plane_of
 from fcl_sim.report.html.pack import Pack
 from fcl_sim.report.raster import NONE, SHADES
@@ -94,18 +94,20 @@ def _map(subject: Subject, pack: Pack) -> Json:
 
 
 def _range(maps: Sequence[Surface]) -> tuple[float, float]:
-    told = np.concatenate([each.values[~each.undefined & np.isfinite(each.values)] for each in maps])
+    told = ranges.finite(each.values[~each.undefined] for each in maps)
     low, high = (float(told.min()), float(told.max())) if told.size else (0.0, 1.0)
-    return low, high if high > low else low + 1.0
+    return low, high if ranges.moves(low, high) else low + max(1.0, abs(low))
 
 
 def _view(surface: Surface, limits: tuple[float, float], pack: Pack) -> Json:
     low, high = limits
     told = ~surface.undefined & np.isfinite(surface.values)
-    share = np.clip((np.where(told, surface.values, low) - low) / (high - low), 0.0, 1.0)
+    values = np.where(told, surface.values, low)
+    share = np.clip(
+        (values / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0), 0.0, 1.0
+    )  # the span may be infinite
     shades = np.where(told, share * (SHADES - 1) + 0.5, NONE).astype(np.uint8)
     return {
-        "title": surface.title,
         "x": pack.series(surface.x, whole=True),
         "y": pack.series(surface.y, whole=True),
         "cells": pack.plain(shades),

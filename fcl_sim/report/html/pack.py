@@ -4,7 +4,8 @@ A pack is, deflated: the length of the document in bytes (4, the lowest first),
 the document as JSON, the numbers. `data.js` reads it. A series of numbers is
 there as the differences of its 16-bit steps, folded to be positive, first
 the lower bytes of all, then the upper ones; before them, where samples are left
-out, the distances of those that are kept, in the same way.
+out, the distances of those that are kept, in the same way. Times are whole
+nanoseconds, exactly: what is judged at an instant is looked at there.
 """
 
 import base64
@@ -42,6 +43,7 @@ class Pack:
         self._body = bytearray()
         self._series: list[Json] = []
         self._known: dict[tuple[bytes, bool], int] = {}
+        self._clocks: dict[bytes, Json] = {}
 
     def series(self, values: Values, *, whole: bool = False) -> int:
         """Take a series (n,); return its number. A `whole` one is kept as it is."""
@@ -50,6 +52,32 @@ class Pack:
             self._known[key] = len(self._series)
             self._series.append(self._packed(values, len(values) if whole else self.stretches))
         return self._known[key]
+
+    def times(self, ticks: NDArray[np.int64]) -> Json:
+        """Take the times (n,) of samples in nanoseconds, which rise; return how to have them again, exactly.
+
+        They begin at `begin` and go on by `step`. Where steps differ, as by jitter or a
+        restart, `folded` says in as many bytes as are needed how much longer or
+        shorter than `step` each is, in parts of `grain`.
+        """
+        begin = int(ticks[0]) if len(ticks) else 0
+        steps = np.diff(ticks)
+        made = {"begin": begin, "step": int(np.sort(steps)[len(steps) // 2]) if len(steps) else 0}
+        more = steps - made["step"]
+        if more.any():
+            key = steps.tobytes()
+            if key not in self._clocks:
+                self._clocks[key] = self._folded_steps(more)
+            made |= self._clocks[key]
+        return made | {"count": len(ticks)}
+
+    def _folded_steps(self, more: NDArray[np.int64]) -> Json:
+        grain = int(np.gcd.reduce(more))
+        own = more // grain
+        folded = (own << 1) ^ (own >> 63)
+        size = (int(folded.max()).bit_length() + 7) // 8
+        planes = folded.astype("<i8").view(np.uint8).reshape(-1, 8)[:, :size].T
+        return {"grain": grain, "folded": self.plain(np.ascontiguousarray(planes))}
 
     def plain(self, values: NDArray[np.uint8]) -> list[int]:
         """Take bytes as they are; return where they begin and how many they are."""

@@ -13,6 +13,8 @@ class Script:
 
     def __init__(self, *names: str) -> None:
         self._context = quickjs.Context()
+        self._context.set_time_limit(20)  # an endless loop fails its test, and takes no more than this
+        self._context.set_memory_limit(1 << 28)
         for name in names:
             self._context.eval(FOLDER.joinpath(name).read_text(encoding="utf-8"))
 

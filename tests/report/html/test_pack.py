@@ -85,6 +85,43 @@ def test_a_series_of_huge_numbers_and_one_without_any_can_be_packed():
     assert read(pack, pack.series(np.zeros(0)))[0].size == 0
 
 
+TIMES = """(told, body) => {
+  const pack = { times: (told) => unevenTimes(Uint8Array.from(body), told) };
+  const clock = clockOf(told, pack);
+  return Array.from({ length: clock.count }, (_, index) => clock.at(index));
+}"""
+
+
+@given(
+    st.integers(0, 10**12),
+    st.lists(st.integers(1, 10**13) | st.just(10**7), max_size=40),
+    st.integers(1, 10**6),
+)
+def test_times_are_read_back_exactly_however_uneven_they_are(begin, steps, grain):
+    ticks = begin + np.cumsum([0, *(grain * each % 10**14 + 1 for each in steps)])
+    pack = Pack(50)
+    pack.plain(np.zeros(7, dtype=np.uint8))
+    told = pack.times(ticks)
+    assert SCRIPT.call(TIMES, json.loads(json.dumps(told)), list(pack._body)) == (ticks / 1e9).tolist()
+
+
+def test_the_same_times_are_packed_once_and_even_ones_take_nothing():
+    pack = Pack(50)
+    assert pack.times(np.arange(5) * 10**7) == {"begin": 0, "step": 10**7, "count": 5}
+    assert pack.times(np.zeros(0, dtype=np.int64)) == {"begin": 0, "step": 0, "count": 0}
+    assert not pack._body
+    late = np.cumsum([0, 100, 100, 300, 100])
+    assert pack.times(late) == pack.times(late.copy())
+    assert len(pack._body) == 4  # by whole steps a byte is enough
+
+
+def test_a_long_run_with_jitter_takes_three_bytes_a_sample():
+    shaken = np.arange(100_000) * 10**7 + np.random.default_rng(1).integers(0, 10**6, 100_000)
+    pack = Pack(50)
+    pack.times(shaken)
+    assert len(pack._body) <= 3 * len(shaken)
+
+
 LINE = """(series, times) => {
   const clock = clockOf({ begin: 0, step: 5e8, count: series.count }, null);
   const line = new Line(clock, { ...series, grain: 0 });

@@ -15,6 +15,12 @@ async function unpacked(text) {
       if (!known.has(number)) known.set(number, decoded(body, document_.series[number]));
       return known.get(number);
     },
+    /** Return the times in seconds of a run's samples: one array for all runs that have the same steps. */
+    times(told) {
+      const key = `${told.begin} ${told.folded}`;
+      if (!known.has(key)) known.set(key, unevenTimes(body, told));
+      return known.get(key);
+    },
     plain: ([begin, count]) => body.subarray(begin, begin + count),
   };
 }
@@ -30,7 +36,7 @@ function decoded(body, made) {
   const steps = unfolded(body, begin + (made.thinned ? 2 * count : 0), count, true);
   const value = (part) => (1 - part) * low + part * high;
   const values = Float64Array.from(steps, (step) => (step === NONE ? NaN : value(step / STEPS)));
-  return { kept, values, grain: (high - low) / STEPS };
+  return { kept, values, grain: high / STEPS - low / STEPS };
 }
 
 /** Return sums of differences that were folded to be positive; of 16 bits, or as many as they need. */
@@ -45,11 +51,25 @@ function unfolded(body, begin, count, wraps) {
   return sums;
 }
 
+/** Return times that go on by steps of which each may be longer or shorter, as Pack.times() writes them. */
+function unevenTimes(body, { begin, step, count, grain, folded: [first, length] }) {
+  const times = new Float64Array(count);
+  const steps = count - 1;
+  let time = begin;
+  for (let i = 0; i < count; i++) {
+    times[i] = time / 1e9;
+    let positive = 0;
+    for (let at = first + length - steps + i; i < steps && at >= first; at -= steps) positive = 256 * positive + body[at];
+    time += step + grain * (positive % 2 ? -(positive + 1) / 2 : positive / 2);
+  }
+  return times;
+}
+
 /** Return the times in seconds of a run's samples. */
 function clockOf(time, pack) {
-  if (time.at === undefined) return { count: time.count, at: (index) => (time.begin + index * time.step) / 1e9 };
-  const told = pack.series(time.at).values;
-  return { count: time.count, at: (index) => told[index] };
+  if (time.folded === undefined) return { count: time.count, at: (index) => (time.begin + index * time.step) / 1e9 };
+  const times = pack.times(time);
+  return { count: time.count, at: (index) => times[index] };
 }
 
 /** A line through samples: what was kept of a signal. Times rise; `isThinned` where samples are left out. */
@@ -88,13 +108,16 @@ class Line {
     if (index < 0 || (index === last && time > this.times[last] + 1e-6)) return NaN;
     if (index === last || time - this.times[index] < 1e-9) return this.values[index];
     const part = (time - this.times[index]) / (this.times[index + 1] - this.times[index]);
-    return this.values[index] + part * (this.values[index + 1] - this.values[index]);
+    const [here, next] = [this.values[index], this.values[index + 1]];
+    const between = here + part * (next - here);
+    return Number.isFinite(between) ? between : (1 - part) * here + part * next; // the way is longer than a number
   }
 
   /** Return whether a time lies between samples of which some are left out. */
   isNear(time) {
     const index = this.indexAt(time);
-    return this.isThinned && index >= 0 && Math.abs(this.times[index] - time) > 1e-9;
+    const isWithin = index >= 0 && index < this.times.length - 1;
+    return this.isThinned && isWithin && Math.abs(this.times[index] - time) > 1e-9;
   }
 
   /** Return the least and the largest value from a time to another; Infinity and −Infinity where there is none. */

@@ -21,19 +21,12 @@ class Run {
     return series === undefined ? null : this.lineOf(series);
   }
 
-  /** Return whether two signals are one. */
-  isSame(one, other) {
-    return one === other || (one in this.told.signals && this.told.signals[one] === this.told.signals[other]);
-  }
-
-  /** Return from when to when no rule is active for a signal that is an output of a block. */
-  idle(signal) {
-    const own = this.told.signals[signal];
-    for (const block of this.told.blocks) {
-      const output = Object.keys(block.outputs).find((name) => block.outputs[name] === own && block.idle[name].length);
-      if (output) return block.idle[output];
-    }
-    return [];
+  /** Return from when to when no rule is active for what goes by any of these names, an output of a block. */
+  idle(names) {
+    const isNamed = (block, output) => names.includes(`${block.name}.${output}`) || names.includes(block.name);
+    return this.told.blocks.flatMap((block) =>
+      Object.keys(block.idle).flatMap((output) => (isNamed(block, output) ? block.idle[output] : [])),
+    );
   }
 
   unit(signal) {

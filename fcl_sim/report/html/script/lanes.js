@@ -3,6 +3,7 @@
 const WIDE = 1000;
 const FAR = 1.5;
 const ROOM = 0.08;
+const STILL = 1e-6; // what moves by less than this part of its value is at rest, as on paper
 const MOST_NAMED = 8;
 const BAR = 3; // from one bar of violations to the next, in pixels
 const MOST_BARS = 0.3; // what they take of a lane, at most
@@ -89,8 +90,9 @@ class Lane {
     const extents = lines.map((line) => line.extent(0, this.scenario.end));
     const low = Math.min(...extents.map((each) => each[0]));
     const high = Math.max(...extents.map((each) => each[1]));
-    if (high > low && Number.isFinite(high - low)) return [low, high];
-    return Number.isFinite(low) ? [low - 1, low + 1] : [0, 1];
+    if (!(high >= low)) return [0, 1];
+    const around = isOne(low, high, STILL) ? Math.max(1, Math.abs(low)) : 0;
+    return [clamped(low - around, -HUGE, HUGE), clamped(high + around, -HUGE, HUGE)];
   }
 
   across(time) {
@@ -147,27 +149,25 @@ class Lane {
     }
   }
 
-  corridor(corridor) {
-    const point = (time, value) => `${this.across(time)} ${this.down(value)}`;
-    const side = (values, none) =>
-      corridor.time.map((time, i) => (values[i] === null ? `${this.across(time)} ${none}` : point(time, values[i])));
-    const [low, high] = [side(corridor.low, 1e6), side(corridor.high, -1e6)];
-    const edge = (values) => {
-      let pen = "M";
-      return corridor.time
-        .map((time, i) => {
-          const drawn = values[i] === null ? "" : `${pen}${point(time, values[i])}`;
-          pen = values[i] === null ? "M" : "L";
-          return drawn;
-        })
-        .join("");
-    };
-    return svg(
-      "g",
-      { class: "band" },
-      svg("path", { class: "area", d: `M${low.join("L")}L${high.reverse().join("L")}Z` }),
-      svg("path", { d: edge(corridor.low) + edge(corridor.high) }),
-    );
+  /** Return the paths of a corridor: what it allows, and its edges. One is there between two rows that both have it. */
+  walls({ time, low, high }) {
+    const [allowed, edges] = [[], { low: "", high: "" }];
+    const isThere = (values, i) => i >= 0 && values[i] !== null && values[i + 1] !== null;
+    const side = (values, i, none) =>
+      [i, i + 1].map((row) => `${this.across(time[row])} ${isThere(values, i) ? this.down(values[row]) : none}`);
+    for (let i = 0; i + 1 < time.length; i++) {
+      const [foot, top] = [side(low, i, 1e6), side(high, i, -1e6)];
+      if (isThere(low, i) || isThere(high, i)) allowed.push(`M${[...foot, top[1], top[0]].join("L")}Z`);
+      for (const [name, values, [from, to]] of [["low", low, foot], ["high", high, top]]) {
+        if (isThere(values, i)) edges[name] += isThere(values, i - 1) ? `L${to}` : `M${from}L${to}`;
+      }
+    }
+    return { allowed: allowed.join(""), edges: edges.low + edges.high };
+  }
+
+  corridor(told) {
+    const { allowed, edges } = this.walls(told);
+    return svg("g", { class: "band" }, svg("path", { class: "area", d: allowed }), svg("path", { d: edges }));
   }
 
   /** Draw what depends on the window of time and on the runs that are shown. */
@@ -201,7 +201,7 @@ class Lane {
   /** Return when a run violates what is asked of the signal. */
   broken(index) {
     const run = this.scenario.runs[index];
-    return run.told.violations.filter((each) => each.signals.some((name) => run.isSame(name, this.told.signal)));
+    return run.told.violations.filter((each) => each.signals.some((name) => this.told.names.includes(name)));
   }
 
   limits(state, isShown) {
@@ -217,7 +217,9 @@ class Lane {
     this.lines.forEach((line, index) => isShown(index) && take(line));
     this.older.forEach((line, i) => line && state.shown.has(this.scenario.older[i].mark) && take(line));
     if (!(high >= low)) [low, high] = this.whole;
-    const span = high - low || Math.abs(high);
+    [low, high] = [clamped(low, -HUGE, HUGE), clamped(high, -HUGE, HUGE)];
+    const whole = this.whole[1] - this.whole[0];
+    const span = isOne(low, high, STILL) ? Math.min(Math.abs(high), whole) : high - low;
     const bounds = this.told.bands.filter((band) => band.from <= to && band.to >= from);
     const corridors = this.told.corridors.flatMap((each) => [...each.low, ...each.high]);
     for (const bound of [...bounds.flatMap((band) => [band.low, band.high]), ...corridors]) {
@@ -225,7 +227,7 @@ class Lane {
       low = Math.min(low, bound);
       high = Math.max(high, bound);
     }
-    const room = ROOM * (high - low) || 0.1 * Math.abs(high) || 1;
+    const room = isOne(low, high, STILL) ? Math.min(0.1 * Math.abs(high) || 1, whole) : ROOM * (high - low);
     return [low - room, high + room];
   }
 
@@ -242,11 +244,15 @@ class Lane {
 
   nameBands(from, to) {
     const named = this.told.bands.filter((band) => band.from <= to && band.to >= from);
-    const wanted = named.map((band) => {
+    const places = new Map();
+    for (const band of named) {
       const limits = [band.low, band.high].filter((each) => each !== null);
       const middle = limits.reduce((sum, each) => sum + each, 0) / (limits.length || 1);
+      places.set(middle, [...(places.get(middle) || []), ...band.ids]);
+    }
+    const wanted = [...places].map(([middle, ids]) => {
       const beyond = middle < this.low ? ` \u2193${number(middle, 3)}` : middle > this.high ? ` \u2191${number(middle, 3)}` : "";
-      return { part: clamped(this.part(middle), 0.04, 0.96), text: band.ids.join(", ") + beyond };
+      return { part: clamped(this.part(middle), 0.04, 0.96), text: [...new Set(ids)].join(", ") + beyond };
     });
     wanted.sort((one, other) => one.part - other.part);
     while (wanted.length > MOST_NAMED) joinNearest(wanted);
@@ -285,8 +291,8 @@ class Lane {
         const top = (this.strip * (row + 0.4)) / (this.missed.length + 0.5);
         if (row >= 0) over.push(place(each.from, each.to, `violation ${look(index)}`, top));
       }
-      if (index !== state.chosen || !run.told.fault) return;
-      const { time } = run.told.fault;
+      if (index !== state.chosen || run.told.fault === null) return;
+      const time = run.told.fault;
       under.push(place(time, this.scenario.end, "rest"));
       const mark = place(time, time, "fault");
       if (mark) mark.append(html("span", { class: time > (from + to) / 2 ? "late" : "" }, `FAULT at ${number(time)}\u00a0s`));
@@ -299,7 +305,7 @@ class Lane {
 
   /** Mark at the foot of an output when no rule is active in the run that was chosen. */
   drawIdle(state, left, right) {
-    const stretches = this.scenario.runs[state.chosen].idle(this.told.signal);
+    const stretches = this.scenario.runs[state.chosen].idle(this.told.names);
     this.idle.setAttribute("viewBox", `${left} 0 ${right - left} 1`);
     const bars = stretches.map(([begin, end]) => `M${this.across(begin)} 0H${this.across(end)}V1H${this.across(begin)}Z`);
     this.idle.firstChild.setAttribute("d", bars.join(""));
@@ -335,9 +341,8 @@ class Lane {
       dot.style.left = `${100 * place}%`;
       dot.style.top = `${100 * part}%`;
       if (!line || !state.shown.has(index)) return;
-      const near = line.isNear(state.at) ? "\u2248" : "";
       const name = html("span", { class: "hidden" }, `${this.scenario.runs[index].name}: `);
-      const text = `${near}${withUnit(value, this.told.unit)}`;
+      const text = nearly(line, state.at) + withUnit(value, this.told.unit);
       told.push(html("span", { class: "reading" }, swatch(index), name, text));
     });
     this.readings.replaceChildren(...told);

@@ -137,8 +137,9 @@ class Characteristic {
     const series = this.pack.series(this.told.values);
     const values = series.constant === undefined ? series.values : new Float64Array(x.length).fill(series.constant);
     const told = values.filter((each) => !Number.isNaN(each));
-    const [low, high] = told.length ? [told.reduce((a, b) => Math.min(a, b)), told.reduce((a, b) => Math.max(a, b))] : [0, 1];
-    const room = 0.06 * (high - low) || 0.1 * Math.abs(high) || 1;
+    const ends = told.length ? [told.reduce((a, b) => Math.min(a, b)), told.reduce((a, b) => Math.max(a, b))] : [0, 1];
+    const [low, high] = ends.map((each) => clamped(each, -HUGE, HUGE));
+    const room = isOne(low, high) ? 0.1 * Math.abs(high) || 1 : 0.06 * (high - low);
     this.limits = [x[0], x[x.length - 1], low - room, high + room];
     let [path, pen] = ["", "M"];
     values.forEach((value, i) => {
@@ -174,10 +175,11 @@ class Characteristic {
     this.spot.classList.toggle("beyond", !isIn);
     this.spot.style.left = `${100 * clamped(part[0], 0, 1)}%`;
     this.spot.style.top = `${100 * clamped(part[1], 0, 1)}%`;
-    const inputs = [withUnit(here[0], told.across.unit), ...(this.isMap ? [withUnit(here[1], told.up.unit)] : [])];
+    const read = (line, unit) => nearly(line, at) + withUnit(line.at(at), unit);
+    const inputs = [read(across, told.across.unit), ...(this.isMap ? [read(up, told.up.unit)] : [])];
     const isIdle = (block.idle[told.output] || []).some(([begin, end]) => at >= begin - 1e-9 && at < end - 1e-9);
     const beyond = isIn || Number.isNaN(part[0]) ? "" : ", beyond the edge";
-    const value = `${inputs.join(", ")} \u2192 ${withUnit(output.at(at), told.unit)}${isIdle ? ", no rule is active" : ""}${beyond}`;
+    const value = `${inputs.join(", ")} \u2192 ${read(output, told.unit)}${isIdle ? ", no rule is active" : ""}${beyond}`;
     say(this.reading, value);
     describe(this.picture, `Characteristic: ${told.output} at ${seconds(at, run.told.scan)} s: ${value}`);
   }
@@ -214,7 +216,8 @@ class Characteristic {
       }
       if (time <= at) add("before", x, y);
       else {
-        if (!split && at >= times[0]) add("after", across.at(at), up.at(at));
+        const here = [across.at(at), up.at(at)];
+        if (!split && !Number.isNaN(here[0] + here[1])) add("after", ...here);
         split = true;
         add("after", x, y);
       }

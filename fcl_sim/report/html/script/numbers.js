@@ -19,6 +19,11 @@ function withUnit(value, unit, digits = 4) {
   return number(value, digits) + (bare ? "" : `\u00a0${unit}`);
 }
 
+/** Return what stands before a value of a line: \u2248 where samples around it are left out. */
+function nearly(line, time) {
+  return line && line.isNear(time) ? "\u2248" : "";
+}
+
 /** Return a time with as many decimals as tell one scan from the next. */
 function seconds(time, scan) {
   const decimals = Math.min(Math.max(Math.ceil(-Math.log10(scan) - 1e-9), 0), 6);
@@ -26,18 +31,29 @@ function seconds(time, scan) {
   return time.toFixed(decimals + more).replace("-", MINUS);
 }
 
-/** Return at most so many round places from `low` to `high`, each with its label. */
+const ROUNDING = 1e-12; // what numbers differ by less than this part of them is rounding
+
+const HUGE = Number.MAX_VALUE / 8; // the end of any axis, so that its length is a number
+
+/** Return whether two numbers are one, but for a part of the larger. */
+const isOne = (low, high, part = ROUNDING) => !(high - low > part * Math.max(Math.abs(low), Math.abs(high)));
+
+/** Return at most so many round places from `low` to `high`, each with its label; none where they are one. */
 function marks(low, high, most) {
   const span = high - low;
-  if (!(span > 0) || !Number.isFinite(span)) return [];
+  if (isOne(low, high) || !Number.isFinite(span)) return [];
   const rough = span / most;
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((each) => each * power).find((each) => span / each <= most) || 10 * power;
+  if (!(step > 0)) return []; // a span that numbers can hardly tell from nothing
+  const [first, last] = [Math.ceil(low / step - 1e-9), Math.floor(high / step + 1e-9)];
   const found = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * span; i++) found.push(i * step);
+  // Counted from 0: of whole numbers beyond 2 ** 53, the next is the same.
+  for (let k = 0; k <= last - first; k++) found.push((first + k) * step);
   const size = Math.max(Math.abs(low), Math.abs(high));
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const label = (at) => (size >= 1e6 || decimals > 5 ? number(at, 4) : at.toFixed(decimals).replace("-", MINUS));
+  const digits = Math.max(4, Math.ceil(Math.log10(size / step)) + 1); // as tell one from the next
+  const label = (at) => (size >= 1e6 || decimals > 5 ? number(at, digits) : at.toFixed(decimals).replace("-", MINUS));
   return found.map((at) => ({ at, label: Math.abs(at) < step * 1e-9 ? "0" : label(at) }));
 }
 

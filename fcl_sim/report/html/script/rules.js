@@ -53,18 +53,21 @@ class Rules {
     const [from, to] = state.window;
     const place = (state.at - from) / (to - from);
     let firing = 0;
+    let near = "";
     for (const row of this.rows) {
       const degree = row.line.at(state.at);
       const fires = degree > 0;
       firing += fires ? 1 : 0;
       row.element.classList.toggle("firing", fires);
       row.bar.style.width = `${100 * clamped(degree || 0, 0, 1)}%`;
-      say(row.value, Number.isNaN(degree) ? "\u2013" : degree.toFixed(3));
-      say(row.mark, fires ? "fires" : "");
+      const sign = nearly(row.line, state.at);
+      near = near || sign;
+      say(row.value, Number.isNaN(degree) ? "\u2013" : sign + degree.toFixed(3));
+      say(row.mark, fires ? (sign ? "maybe" : "fires") : "");
       row.cursor.classList.toggle("off", !(place >= 0 && place <= 1));
       row.cursor.style.left = `${100 * place}%`;
     }
     const when = `at ${seconds(state.at, this.run.told.scan)}\u00a0s`;
-    say(this.caption, `${this.name}, run ${this.run.name}: ${firing} of ${this.rows.length} rules fire ${when}`);
+    say(this.caption, `${this.name}, run ${this.run.name}: ${near}${firing} of ${this.rows.length} rules fire ${when}`);
   }
 }

@@ -96,6 +96,11 @@ class Sketch {
     return this.delays.get(told.signal).at(at, told.amount);
   }
 
+  /** Return a signal's value with its unit. */
+  reading(signal, time) {
+    return nearly(this.run.line(signal), time) + withUnit(this.value({ signal }, time), this.run.unit(signal));
+  }
+
   point(state) {
     const value = (told) => this.value(told, state.at);
     for (const { group, told } of this.moved) {
@@ -109,9 +114,9 @@ class Sketch {
     }
     for (const { piece, told } of this.coloured) piece.style.fill = this.colour(told, value);
     for (const { text, told } of this.readings) {
-      say(text, `${told.word} ${withUnit(value(told), this.run.unit(told.signal))}`.trim());
+      say(text, `${told.word} ${this.reading(told.signal, state.at)}`.trim());
     }
-    describe(this.picture, `${this.told.about} At ${seconds(state.at, this.run.told.scan)} s: ${this.words(value)}.`);
+    describe(this.picture, `${this.told.about} At ${seconds(state.at, this.run.told.scan)} s: ${this.words(state.at)}.`);
   }
 
   colour(told, value) {
@@ -124,9 +129,9 @@ class Sketch {
   }
 
   /** Return the signals that move the drawing or are read on it, with their values. */
-  words(value) {
+  words(time) {
     const motions = this.moved.flatMap(({ told }) => [told.across, told.turn, told.grow, told.rise]).filter(Boolean);
     const signals = [...new Set([...motions, ...this.told.readings].map(({ signal }) => signal))];
-    return signals.map((signal) => `${signal} ${withUnit(value({ signal }), this.run.unit(signal))}`).join(", ");
+    return signals.map((signal) => `${signal} ${this.reading(signal, time)}`).join(", ");
   }
 }
