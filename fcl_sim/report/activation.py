@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.report import lettering, raster, style
-from fcl_sim.report.bands import ABOVE, Missed, draw_above
+from fcl_sim.report.bands import ABOVE, SHORTEST, Missed, as_seen, draw_above
 from fcl_sim.report.canvas import Axes, Figure, Image, Line, Text, joined, span
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.pictures import Picture, numbered
@@ -96,12 +96,16 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     return [
         Picture(
             name=numbered(f"{run.variant}-{node.name}-activation", page, len(parted)),
-            caption=caption,
-            alt=alt(firing, missed),
+            caption=caption + (_which(firing.rows(chosen)) if len(parted) > 1 else ""),
+            alt=alt(firing.rows(chosen), missed, firing.idle),
             draw=partial(draw, firing.rows(chosen), idle=firing.idle, missed=missed),
         )
         for page, chosen in enumerate(parted)
     ]
+
+
+def _which(firing: Firing) -> str:
+    return f" Here rules {one_line(firing.labels[0])} to {one_line(firing.labels[-1])}."
 
 
 def _parted(firing: Firing) -> list[slice]:
@@ -167,7 +171,7 @@ def draw(firing: Firing, idle: NDArray[np.bool_], missed: Sequence[Missed] = ())
     _draw_dominant(axes, firing, edges, rows)
     for start, stop in stretches(idle):
         across = (float(firing.time[start]), float(firing.time[min(stop, len(idle) - 1)]))
-        axes.add(span(axes, across, style.UNDEFINED, hatched=True, z=1.5))
+        axes.add(span(axes, as_seen(axes, across, SHORTEST), style.UNDEFINED, hatched=True, z=1.5))
     draw_above(axes, missed)
     draw_frame(axes, ticks(*axes.x, 9), (), ("time [s]", ""), grid=False)
     _draw_texts(axes, firing, rows)
@@ -239,8 +243,11 @@ def brief(text: str) -> str:
     return short.replace(" AND ", ", ")
 
 
-def alt(firing: Firing, missed: Sequence[Missed] = ()) -> str:
-    """Return how long the rules fire and dominate, and when requirements are violated, in words."""
+def alt(firing: Firing, missed: Sequence[Missed] = (), idle: NDArray[np.bool_] | None = None) -> str:
+    """Return how long the rules fire and dominate, and when requirements are violated, in words.
+
+    `idle` (n,) is where no rule of the block fires, of which these may be some.
+    """
     count = len(firing.time)
     fired = (firing.degrees > 0.0).sum(axis=0)
     led = firing.dominant.sum(axis=0)
@@ -254,8 +261,8 @@ def alt(firing: Firing, missed: Sequence[Missed] = ()) -> str:
         parts.append(f"Longest dominant: {listed(told)}.")
     if never:
         parts.append(f"Rules that never fire: {listed(never)}.")
-    idle = int(firing.idle.sum())
-    parts.append(f"No rule fires in {number(100.0 * idle / count, 3)} % of the samples." if idle else "")
+    none = int((firing.idle if idle is None else idle).sum())
+    parts.append(f"No rule fires in {number(100.0 * none / count, 3)} % of the samples." if none else "")
     for each in missed:
         spans = [f"from {number(start)} s to {number(end)} s" for start, end in each.stretches[:SHOWN]]
         more = len(each.stretches) - SHOWN

@@ -15,8 +15,8 @@ from fcl_sim.report.ranges import width
 from fcl_sim.report.violations import Interval
 from fcl_sim.report.words import number, one_line
 
-FAR = 1.5
-"""A bound that lies further outside than so many spans of the data is named, not drawn."""
+FAR, MISSED_FAR = 1.5, 5.0
+"""So many spans outside of the data a bound is named and not drawn; one that is missed, only further away."""
 
 NOISE = 1e-6
 """A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
@@ -46,10 +46,10 @@ MOST_STRIP = 0.3
 """The part of an axis that such rows take at most."""
 
 
-def worth_showing(limit: float, low: float, high: float) -> bool:
-    """Return whether the axis of data from `low` to `high` is stretched to show `limit`."""
+def worth_showing(limit: float, low: float, high: float, far: float = FAR) -> bool:
+    """Return whether the axis of data from `low` to `high` is stretched by `far` spans to show `limit`."""
     span = high - low if high - low > NOISE * max(abs(low), abs(high)) else abs(limit)
-    return low - FAR * span <= limit <= high + FAR * span
+    return low - far * span <= limit <= high + far * span
 
 
 def focus_on(bands: Mapping[Band, Sequence[str]], values: Values) -> tuple[float, float] | None:
@@ -69,16 +69,25 @@ DASHED: style.Dashes = (4, 2)
 """Stroke of a bound."""
 
 
-def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]]) -> None:
-    """Shade what is allowed, draw the bounds, name the requirements at the right."""
+def draw_allowed(axes: Axes, bands: Sequence[Band]) -> None:
+    """Shade what is allowed; what is at an instant stands for itself, whatever is around it."""
     low, high = axes.y
-    labels: dict[float, list[str]] = {}
-    for band, ids in bands.items():
-        across = _seen(axes, (band.start, band.end), INSTANT)
+    for band in bands:
+        across = as_seen(axes, (band.start, band.end), INSTANT)
+        if band.start == band.end:
+            axes.add(span(axes, across, style.PAPER, z=1))
         bottom = low if band.low is None else max(band.low, low)
         top = high if band.high is None else min(band.high, high)
         if bottom < top:
-            axes.add(rectangle(across, (bottom, top), style.BAND, z=1))
+            axes.add(rectangle(across, (bottom, top), style.BAND, z=1, label="allowed"))
+
+
+def draw_bounds(axes: Axes, bands: Mapping[Band, Sequence[str]]) -> None:
+    """Draw the bounds, name the requirements at the right."""
+    low, high = axes.y
+    labels: dict[float, list[str]] = {}
+    for band, ids in bands.items():
+        across = as_seen(axes, (band.start, band.end), INSTANT)
         limits = [limit for limit in (band.low, band.high) if limit is not None]
         for limit in limits:
             if low <= limit <= high:
@@ -88,7 +97,7 @@ def draw_bands(axes: Axes, bands: Mapping[Band, Sequence[str]]) -> None:
     _name_bounds(axes, labels)
 
 
-def _seen(axes: Axes, interval: Interval, shortest: float) -> Interval:
+def as_seen(axes: Axes, interval: Interval, shortest: float) -> Interval:
     """Return from when to when an interval is drawn: one of an instant is made as wide as is seen, in mm.
 
     It ends at the instant, as behind it a signal may well go elsewhere.
@@ -170,7 +179,7 @@ def apart(places: Sequence[float], least: float) -> list[float]:
 def draw_violations(axes: Axes, violations: Sequence[Interval]) -> None:
     """Shade each violated interval of a lone run, with a bar along the upper edge."""
     for each in violations:
-        across = _seen(axes, each, SHORTEST)
+        across = as_seen(axes, each, SHORTEST)
         axes.add(span(axes, across, style.VIOLATION, opacity=0.7, z=1.5))
         axes.add(span(axes, across, style.VIOLATION_EDGE, (0.955, 1.0), z=4))
 
@@ -194,7 +203,7 @@ def draw_above(axes: Axes, missed: Sequence[Missed]) -> None:
         face = style.PAPER if each.is_meant else style.VIOLATION_EDGE
         look: dict[str, Any] = {"edge": style.VIOLATION_EDGE, "z": 4, "free": True, "label": "violation"}
         for stretch in each.stretches:
-            axes.add(span(axes, _seen(axes, stretch, SHORTEST), face, (low, high), **look))
+            axes.add(span(axes, as_seen(axes, stretch, SHORTEST), face, (low, high), **look))
         spot: dict[str, Any] = {"across": "right", "up": "middle", "shift": (-1.5, 0.0), "parts": True}
         label = lettering.cut(each.label, axes.left / style.HINTED - 2.0, style.LEAST)
         axes.add(Text(0.0, (low + high) / 2.0, label, style.LEAST, **spot))

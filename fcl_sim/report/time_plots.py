@@ -1,18 +1,22 @@
 """Signals over time, each against its requirement bands: stacked axes, one time."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from hashlib import blake2b
 from typing import Any
 
 import numpy as np
 
-from fcl_sim.judge.verdict import Band, Corridor, Verdict
+from fcl_sim.judge.verdict import Band, Corridor, Status, Verdict
 from fcl_sim.loop.trace import Trace, Values
 from fcl_sim.report import lettering, ranges, style
+from fcl_sim.report.allowed import of_runs
 from fcl_sim.report.bands import (
+    FAR,
+    MISSED_FAR,
     NOISE,
-    draw_bands,
+    draw_allowed,
+    draw_bounds,
     draw_corridors,
     draw_strip,
     draw_violations,
@@ -223,12 +227,13 @@ def _draw_lane(axes: Axes, lane: Lane, runs: Sequence[Shown]) -> None:
     present = [(index, run) for index, run in enumerate(runs) if lane.signal in run.trace]
     shown = _within(lane, [run for _, run in present])
     shown += [edge for each in corridors_of(lane, runs) for edge in (np.array(each.low), np.array(each.high))]
-    low, high = lane.focus or _limits(shown, bands)
+    low, high = lane.focus or _limits(shown, bands, missed_bands(runs))
     several = len(runs) > 1 and lane.focus is None
     missed = [(index, found) for index, run in present if several and (found := _violations(lane, run))]
     strip = strip_of(len(missed), axes.height)
     axes.y = low, high + (high - low) * strip / (1.0 - strip)
-    draw_bands(axes, bands)
+    draw_allowed(axes, of_runs([list(bands_of(lane, [run])) for run in runs]))
+    draw_bounds(axes, bands)
     draw_corridors(axes, corridors_of(lane, runs))
     draw_strip(axes, missed, strip)
     for index, run in reversed(present):
@@ -285,11 +290,21 @@ def corridors_of(lane: Lane, runs: Sequence[Shown]) -> list[Corridor]:
     return list(dict.fromkeys(each for each in asked if each is not None and each.signal in lane.names))
 
 
-def _limits(values: Sequence[Values], bands: Mapping[Band, Sequence[str]]) -> tuple[float, float]:
+def missed_bands(runs: Sequence[Shown]) -> set[Band]:
+    """Return the bands of requirements that any of the runs misses."""
+    verdicts = [each for run in runs for each in run.verdicts if each.measured is Status.FAIL]
+    return {each.band for each in verdicts if each.band is not None}
+
+
+def _limits(
+    values: Sequence[Values], bands: Mapping[Band, Sequence[str]], missed: Container[Band]
+) -> tuple[float, float]:
+    """Return from where to where an axis goes: what is drawn, and bounds, those that are missed from afar."""
     shown = ranges.finite(values)
     low, high = (float(shown.min()), float(shown.max())) if len(shown) else (0.0, 1.0)
-    for limit in (limit for band in bands for limit in (band.low, band.high) if limit is not None):
-        if worth_showing(limit, low, high):
+    limits = [(limit, band in missed) for band in bands for limit in (band.low, band.high)]
+    for limit, is_missed in limits:
+        if limit is not None and worth_showing(limit, low, high, MISSED_FAR if is_missed else FAR):
             low, high = min(low, limit), max(high, limit)
     return ranges.widened(low, high, 0.08, NOISE)
 

@@ -121,3 +121,26 @@ def test_rules_are_parted_into_pages_that_hold_them(firing_of, words):
     assert [row for each in parted for row in range(len(words))[each]] == list(range(len(words)))
     for each in parted:
         assert activation._edges(made.rows(each))[-1] <= activation.MOST_ROWS
+
+
+def test_a_last_scan_in_which_no_rule_fires_can_be_seen(firing):
+    idle = np.zeros(len(firing.time), np.bool_)
+    idle[-1] = True
+    (axes, _) = activation.draw(firing, idle).axes
+    (hatched,) = [each for each in axes.of(Shape) if each.hatched]
+    part = (max(hatched.x) - min(hatched.x)) / (axes.x[1] - axes.x[0])
+    assert part * axes.width > 0.5
+    assert max(hatched.x) <= axes.x[1]
+
+
+def test_rules_on_several_figures_are_told_each_where_it_is(firing_of):
+    many = firing_of([LONG] * 80)
+    slices = activation._parted(many)
+    assert len(slices) > 1
+    told = [activation.alt(many.rows(each), (), many.idle) for each in slices]
+    assert len(set(told)) == len(slices)
+    assert all(
+        each.startswith(f"Degrees of {part.stop - part.start} rules")
+        for each, part in zip(told, slices, strict=True)
+    )
+    assert "Here rules 0 to " in activation._which(many.rows(slices[0]))

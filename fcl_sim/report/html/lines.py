@@ -1,6 +1,6 @@
 """An outcome → what the script draws: signals of all runs, bands, rules, characteristics, the plant."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,8 @@ from fcl_sim.loop.diagram import FuzzyNode
 from fcl_sim.loop.trace import FuzzyRecord, Values
 from fcl_sim.model.labels import unique_labels
 from fcl_sim.report import style
+from fcl_sim.report.allowed import of_runs
+from fcl_sim.report.bands import FAR, MISSED_FAR
 from fcl_sim.report.html.maps import characteristics
 from fcl_sim.report.html.pack import Pack
 from fcl_sim.report.pictures import view_of
@@ -17,7 +19,7 @@ from fcl_sim.report.plant_sketches import sketches_of
 from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.sketch import Amount, Delayed, Group, Motion, Paint, Piece, Sketch, Tint
 from fcl_sim.report.stretches import stretches
-from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes_of
+from fcl_sim.report.time_plots import Lane, Shown, bands_of, corridors_of, lanes_of, missed_bands
 from fcl_sim.report.violations import violations
 from fcl_sim.report.words import one_line
 from fcl_sim.testbench import Outcome, Run
@@ -50,19 +52,19 @@ def _lane(lane: Lane, views: Sequence[Shown]) -> Json:
         "unit": one_line(lane.unit),
         "judged": lane.judged,
         "focus": lane.focus,
-        "bands": [_band(*each) for each in bands_of(lane, views).items()],
+        "allowed": [_stretch(each) for each in of_runs([list(bands_of(lane, [view])) for view in views])],
+        "bands": [_band(*each, missed_bands(views)) for each in bands_of(lane, views).items()],
         "corridors": [_corridor(each) for each in corridors_of(lane, views)],
     }
 
 
-def _band(band: Band, ids: Sequence[str]) -> Json:
-    return {
-        "low": band.low,
-        "high": band.high,
-        "from": band.start,
-        "to": band.end,
-        "ids": [one_line(each) for each in ids],
-    }
+def _stretch(band: Band) -> Json:
+    return {"low": band.low, "high": band.high, "from": band.start, "to": band.end}
+
+
+def _band(band: Band, ids: Sequence[str], missed: Container[Band]) -> Json:
+    far = MISSED_FAR if band in missed else FAR
+    return _stretch(band) | {"ids": [one_line(each) for each in ids], "far": far}
 
 
 def _corridor(corridor: Corridor) -> Json:

@@ -20,7 +20,7 @@ LANE = """(values, bounds) => {
   const clock = clockOf({ begin: 0, step: 1e9, count: values.length }, null);
   const line = new Line(clock, { kept: null, values, grain: 0 });
   const end = values.length - 1;
-  const bands = bounds.map((each) => ({ low: each, high: null, from: 0, to: end }));
+  const bands = bounds.map((each) => ({ low: each, high: null, from: 0, to: end, far: 1.5 }));
   const lane = Object.create(Lane.prototype);
   const told = { bands, corridors: [], focus: null };
   Object.assign(lane, { lines: [line], older: [], scenario: { older: [], end }, told });

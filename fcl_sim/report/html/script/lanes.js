@@ -59,13 +59,14 @@ class Lane {
     this.grid = svg("path", { class: "grid" });
     this.groups = this.lines.map((line, index) => this.run(line, `run ${look(index)}`));
     this.olderGroups = this.older.map((line, i) => this.run(line, this.olderLook(i)));
-    this.bands = told.bands.map((band) => this.band(band));
+    this.allowed = told.allowed.map((band) => this.area(band));
+    this.bands = told.bands.map((band) => this.bounds(band));
     this.shades = svg("g", { class: "shades" });
     this.picture = svg(
       "svg",
       { preserveAspectRatio: "none", role: "img" },
       this.grid,
-      this.bands.map(({ area }) => area),
+      this.allowed.map(({ area }) => area),
       told.corridors.map((corridor) => this.corridor(corridor)),
       this.shades,
       this.bands.map(({ edges }) => edges),
@@ -123,12 +124,18 @@ class Lane {
     return path;
   }
 
-  band(band) {
+  /** Return what is allowed in a stretch of time; at an instant it stands for itself, whatever is around it. */
+  area(band) {
     const top = band.high === null ? -1e6 : this.down(band.high);
     const foot = band.low === null ? 1e6 : this.down(band.low);
-    const at = [band.low, band.high].filter((each) => each !== null).map((each) => this.down(each));
+    const blank = band.from === band.to ? svg("rect", { class: "blank", y: -1e6, height: 2e6 }) : null;
     const area = svg("rect", { class: "area", y: top, height: Math.max(foot - top, 0) });
-    return { told: band, at, area, edges: svg("path", { class: "bound" }) };
+    return { told: band, area: svg("g", {}, blank, area) };
+  }
+
+  bounds(band) {
+    const at = [band.low, band.high].filter((each) => each !== null).map((each) => this.down(each));
+    return { told: band, at, edges: svg("path", { class: "bound" }) };
   }
 
   /** Return from when to when a band is drawn: one of an instant is made as wide as is seen, and ends there. */
@@ -141,10 +148,15 @@ class Lane {
 
   /** Draw every band as wide as it is seen in a window of time. */
   widen(window) {
-    for (const { told, at, area, edges } of this.bands) {
+    for (const { told, area } of this.allowed) {
       const [left, right] = this.seen(told, window).map((time) => this.across(time));
-      area.setAttribute("x", left);
-      area.setAttribute("width", Math.max(right - left, 0));
+      for (const each of area.children) {
+        each.setAttribute("x", left);
+        each.setAttribute("width", Math.max(right - left, 0));
+      }
+    }
+    for (const { told, at, edges } of this.bands) {
+      const [left, right] = this.seen(told, window).map((time) => this.across(time));
       edges.setAttribute("d", at.map((edge) => `M${left} ${edge}H${right}`).join(""));
     }
   }
@@ -221,9 +233,10 @@ class Lane {
     const whole = this.whole[1] - this.whole[0];
     const span = isOne(low, high, STILL) ? Math.min(Math.abs(high), whole) : high - low;
     const bounds = this.told.bands.filter((band) => band.from <= to && band.to >= from);
-    const corridors = this.told.corridors.flatMap((each) => [...each.low, ...each.high]);
-    for (const bound of [...bounds.flatMap((band) => [band.low, band.high]), ...corridors]) {
-      if (bound === null || bound < low - FAR * span || bound > high + FAR * span) continue;
+    const asked = bounds.flatMap(({ low: foot, high: top, far }) => [[foot, far], [top, far]]);
+    const corridors = this.told.corridors.flatMap((each) => [...each.low, ...each.high]).map((edge) => [edge, FAR]);
+    for (const [bound, far] of [...asked, ...corridors]) {
+      if (bound === null || bound < low - far * span || bound > high + far * span) continue;
       low = Math.min(low, bound);
       high = Math.max(high, bound);
     }
