@@ -195,7 +195,9 @@ class _Comparer:
         values = []
         for block in self._blocks:
             own = {name.casefold(): each for name, each in block.evaluate(columns).items()}
-            values.append(own[self._output.casefold()])
+            values.append(
+                np.broadcast_to(own[self._output.casefold()], len(points))
+            )  # of no inputs it is one
         return values[0], values[1], np.abs(values[1] - values[0])
 
     def _most(self, boxes: Boxes) -> Values:

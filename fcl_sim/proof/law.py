@@ -198,7 +198,8 @@ class _Explorer:
     def value(self, points: Values) -> Values:
         """Return the output at points (n, inputs)."""
         columns = dict(zip(self._names, points.T, strict=True))
-        return self._block.evaluate(columns)[self._block.outputs[self._place()]]
+        found = self._block.evaluate(columns)[self._block.outputs[self._place()]]
+        return np.broadcast_to(found, len(points))  # of no inputs it is one
 
     def _place(self) -> int:
         return [each.casefold() for each in self._block.outputs].index(self._output.casefold())
@@ -356,5 +357,6 @@ def cells_of(names: Sequence[str], axes: Mapping[str, Axis], universe: Universe)
         count *= len(each)
     if count > MOST_CELLS:
         ends = [[(each[0][0], each[-1][1])] for each in ends]
-    corners = np.array(list(product(*ends)))
+    boxes = list(product(*ends))
+    corners = np.array(boxes).reshape(len(boxes), len(names), 2)  # of no inputs there is one box, too
     return Boxes(corners[:, :, 0], corners[:, :, 1])

@@ -14,7 +14,7 @@ from fcl_sim.judge.verdict import Status, Verdict
 from fcl_sim.loop.trace import Trace
 from fcl_sim.report import alt, baselines
 from fcl_sim.report.pictures import Picture, numbered, view_of
-from fcl_sim.report.time_plots import Lane, Shown, lanes, pages, time_plot
+from fcl_sim.report.time_plots import Lane, Shown, lanes_of, pages, time_plot
 from fcl_sim.report.words import metric_name, one_line, with_unit
 from fcl_sim.testbench import Outcome, Run
 
@@ -147,7 +147,7 @@ def baseline_pictures(run: Run) -> list[Picture]:
         duration=run.diagram.timing.duration / 1e9,
     )
     view = view_of(run)
-    shown = [lane for lane in lanes(view) if not wanted.isdisjoint(lane.names)]
+    shown = [lane for lane in lanes_of([view], [other]) if not wanted.isdisjoint(lane.names)]
     return _overlaid(run, [view, other], _named(shown, wanted), "baseline", other.label)
 
 
@@ -169,7 +169,9 @@ def against_pictures(outcome: Outcome) -> list[Picture]:
             continue
         former = replace(view_of(old), label=outcome.against.label, verdicts=())
         views = [view_of(run), former]
-        changed = [lane for lane in lanes(views[0]) if lane.focus is None and _differs(lane, run, old)]
+        changed = [
+            lane for lane in lanes_of(views[:1], views[1:]) if lane.focus is None and _differs(lane, run, old)
+        ]
         found += _overlaid(run, views, changed[:MOST_LANES], "against", outcome.against.label)
     return found
 
