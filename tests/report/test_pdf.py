@@ -9,7 +9,7 @@ from pikepdf import Name
 
 from fcl_sim.judge.verdict import Status
 from fcl_sim.report import document, write
-from tests.report.reading import alternatives, bare, fonts, tags, words
+from tests.report.reading import alternatives, bare, fonts, page_words, tags, words
 from tests.report.synthetic import CRANE, EVIL, LONG, outcome, run, trace, verdict
 
 
@@ -182,3 +182,25 @@ def test_a_report_without_runs_is_a_report(tmp_path):
     write([], tmp_path)
     with pikepdf.open(tmp_path / "report.pdf") as opened:
         assert bare("Nothing was run.") in words(opened)
+
+
+def test_every_page_tells_its_number(pdf):
+    count = len(pdf.pages)
+    for number, page in enumerate(page_words(pdf), start=1):
+        assert page.endswith(f"{number}/{count}")
+
+
+@pytest.mark.parametrize("count", [4, 40])
+def test_contents_of_many_scenarios_begin_where_the_table_of_them_ends(count, tmp_path):
+    made = [
+        outcome(tmp_path, run(tmp_path), name=f"s{each}", title=f"Scenario {each}") for each in range(count)
+    ]
+    write(made, tmp_path / "reports")
+    with pikepdf.open(tmp_path / "reports" / "report.pdf") as opened:
+        first, second, *_ = page_words(opened)
+        assert ("Contents" in second, "Contents" in first) == (True, False)
+        assert ("Scenario39" in second.partition("Contents")[0]) == (count == 40)
+        assert all(
+            each.endswith(f"{number}/{len(opened.pages)}")
+            for number, each in enumerate(page_words(opened), 1)
+        )
