@@ -139,16 +139,23 @@ def _alike(low: Values, high: Values) -> list[slice]:
 
 
 def _name_bounds(axes: Axes, labels: Mapping[float, Sequence[str]]) -> None:
-    """Write the requirements beside their bounds, moved apart where they would meet."""
+    """Write the requirements beside their bounds, moved apart where they would meet.
+
+    Each has a line of its own where there is room for all.
+    """
     low, high = axes.y
-    wanted = sorted(labels)
-    places = [min(max((middle - low) / (high - low), 0.0), 1.0) for middle in wanted]
-    for at, middle in zip(apart(places, LABEL / axes.height), wanted, strict=True):
+    named = {middle: [one_line(each) for each in dict.fromkeys(labels[middle])] for middle in sorted(labels)}
+    wanted = list(named.items())
+    single = [(middle, [each]) for middle, ids in wanted for each in reversed(ids)]
+    if len(single) <= axes.height / LABEL:
+        wanted = single
+    places = [min(max((middle - low) / (high - low), 0.0), 1.0) for middle, _ in wanted]
+    for at, (middle, ids) in zip(apart(places, LABEL / axes.height), wanted, strict=True):
         where = ""
         if not low <= middle <= high:
             arrow = "\N{DOWNWARDS ARROW}" if middle < low else "\N{UPWARDS ARROW}"
             where = f" {arrow}{number(middle, 3)}"
-        shown = listed([one_line(each) for each in dict.fromkeys(labels[middle])], where)
+        shown = listed(ids, where)
         axes.add(Text(1.0, at, shown, style.SMALL, style.BOUND, up="center", shift=(1.4, 0.0), parts=True))
 
 

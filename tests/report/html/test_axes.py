@@ -222,4 +222,4 @@ def test_a_requirement_is_named_once_beside_bounds_that_differ_only_in_time():
         {"low": 1, "high": 3, "ids": ["CR-1"]},
         {"low": 1, "high": 3, "ids": ["CR-2", "CR-1"], "from": 0.5},
     ]
-    assert SCRIPT.call(NAMED, bands) == ["CR-1, CR-2"]
+    assert SCRIPT.call(NAMED, bands) == ["CR-1", "CR-2"]

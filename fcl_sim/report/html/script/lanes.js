@@ -263,9 +263,9 @@ class Lane {
       const middle = limits.reduce((sum, each) => sum + each, 0) / (limits.length || 1);
       places.set(middle, [...(places.get(middle) || []), ...band.ids]);
     }
-    const wanted = [...places].map(([middle, ids]) => {
+    const wanted = [...places].flatMap(([middle, ids]) => {
       const beyond = middle < this.low ? ` \u2193${number(middle, 3)}` : middle > this.high ? ` \u2191${number(middle, 3)}` : "";
-      return { part: clamped(this.part(middle), 0.04, 0.96), text: [...new Set(ids)].join(", ") + beyond };
+      return [...new Set(ids)].map((id) => ({ part: clamped(this.part(middle), 0.04, 0.96), text: id + beyond }));
     });
     wanted.sort((one, other) => one.part - other.part);
     while (wanted.length > MOST_NAMED) joinNearest(wanted);
