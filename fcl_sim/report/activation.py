@@ -16,7 +16,7 @@ from fcl_sim.report.canvas import Axes, Figure, Image, Line, Text, joined, span
 from fcl_sim.report.frame import draw_frame, draw_scale, room_below, room_left, ticks
 from fcl_sim.report.pictures import Picture, numbered
 from fcl_sim.report.provenance import fuzzy_nodes
-from fcl_sim.report.rules_there import is_at_fault, missed_when
+from fcl_sim.report.rules_there import is_at_fault, is_timeless, missed_when
 from fcl_sim.report.stretches import stretches
 from fcl_sim.report.words import counted, number, one_line, with_unit
 from fcl_sim.report.words import joined as listed
@@ -91,6 +91,9 @@ def _pictures(run: Run, node: FuzzyNode) -> list[Picture]:
     if missed:
         caption += " Bars above: when a requirement is violated; the cause may lie before."
         caption += " Open ones are expected." if any(each.is_meant for each in missed) else ""
+    timeless = [one_line(each.requirement.id) for each in run.verdicts if is_timeless(each)]
+    if timeless:
+        caption += f" Missed as a whole, at no time of its own: {listed(timeless)}."
     if run.trace.fault is not None:
         caption += f" The run ended in a FAULT at {with_unit(run.trace.fault.tick / 1e9, 's', 9)}."
     return [

@@ -1,6 +1,6 @@
 """Requirement bands and violations, drawn into an axis over time."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -52,16 +52,15 @@ def worth_showing(limit: float, low: float, high: float, far: float = FAR) -> bo
     return low - far * span <= limit <= high + far * span
 
 
-def focus_on(bands: Mapping[Band, Sequence[str]], values: Values) -> tuple[float, float] | None:
+def focus_on(bands: Iterable[Band], values: Values) -> tuple[float, float] | None:
     """Return the range of a second look at `values` (n,), close to bounds that are narrow beside them."""
-    limits = [limit for band in bands for limit in (band.low, band.high) if limit is not None]
-    closed = any(band.low is not None and band.high is not None for band in bands)
     finite = values[np.isfinite(values)]
-    if not closed or not len(finite):
+    far = width(finite)
+    closed = [(each.low, each.high) for each in bands if each.low is not None and each.high is not None]
+    narrow = [each for each in closed if 0.0 < NARROW * (each[1] - each[0]) < far]
+    if not narrow:
         return None
-    low, high = min(limits), max(limits)
-    if not 0.0 < NARROW * (high - low) < width(finite):
-        return None
+    low, high = min(each[0] for each in narrow), max(each[1] for each in narrow)
     return low - 0.6 * (high - low), high + 0.6 * (high - low)
 
 
@@ -70,12 +69,10 @@ DASHED: style.Dashes = (4, 2)
 
 
 def draw_allowed(axes: Axes, bands: Sequence[Band]) -> None:
-    """Shade what is allowed; what is at an instant stands for itself, whatever is around it."""
+    """Shade what is allowed; what is at an instant is as wide as is seen, and hides nothing before it."""
     low, high = axes.y
     for band in bands:
         across = as_seen(axes, (band.start, band.end), INSTANT)
-        if band.start == band.end:
-            axes.add(span(axes, across, style.PAPER, z=1))
         bottom = low if band.low is None else max(band.low, low)
         top = high if band.high is None else min(band.high, high)
         if bottom < top:

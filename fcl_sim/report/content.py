@@ -235,7 +235,7 @@ def _beside(outcome: Outcome, register: Register) -> list[Data]:
 
 
 FIRST_USERS = (
-    "Drawn is of each rule base the first run that uses it, and each run that misses what it is to meet. "
+    "Drawn is of each rule base the first run that uses it, and each run that misses something unexpectedly. "
     "How often each rule fired in all runs stands with the rule base, under Coverage by the runs."
 )
 CHOSEN = (

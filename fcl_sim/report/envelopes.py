@@ -12,6 +12,7 @@ from fcl_sim.envelope.grid import written
 from fcl_sim.judge.envelope import EnvelopeVerdict
 from fcl_sim.judge.metrics import METRICS
 from fcl_sim.judge.verdict import Over, Status
+from fcl_sim.judge.wording import relation
 from fcl_sim.report import alt, lettering, style, summary
 from fcl_sim.report.canvas import Axes, Dot, Figure, Text, span, upright
 from fcl_sim.report.frame import draw_frame, room_below, ticks
@@ -72,7 +73,14 @@ def _about(verdict: EnvelopeVerdict) -> str:
     asked = verdict.requirement
     if asked.formula is not None:
         return asked.formula.statement.words or asked.formula.statement.formula
-    return f"{metric_name(asked.metric) or 'corridor'} of {joined(list(asked.signals))}"
+    return f"{_named(verdict)} of {joined(list(asked.signals))}"
+
+
+def _named(verdict: EnvelopeVerdict) -> str:
+    """Return what is measured, and where that is beside another run, how."""
+    asked = verdict.requirement
+    name = metric_name(asked.metric) or "corridor"
+    return name if asked.relative_to is None else f"{name} ({relation(asked.relative_to).replace('`', '')})"
 
 
 def _worst(envelope: Envelope, verdict: EnvelopeVerdict) -> str:
@@ -245,9 +253,7 @@ def _tail(count: int, words: str) -> str:
 
 def _heading(axes: Axes, verdict: EnvelopeVerdict) -> None:
     asked = verdict.requirement
-    name = (
-        "robustness" if asked.formula is not None else metric_name(asked.metric) or "distance from the edges"
-    )
+    name = "robustness" if asked.formula is not None else _named(verdict)
     mean = "mean " if asked.over is Over.MEAN else ""
     text = f"{one_line(asked.id)}   {bracketed(name, asked.unit)}, {mean}{bound(asked)}"
     metric = METRICS.get(asked.metric)

@@ -153,13 +153,17 @@ def _caption(run: Run, page: Sequence[Lane], index: int) -> str:
     parts = [f"Run {one_line(run.variant)}: {what}."]
     if any(lane.judged for lane in page):
         parts.append("Bands are what the requirements allow, dashed lines their bounds.")
-        missed = [each for each in run.verdicts if each.violation and _is_seen(each, page)]
-        formulas = [one_line(each.requirement.id) for each in missed if each.requirement.formula is not None]
-        if missed:
-            parts.append("A shaded stretch with a bar at its upper edge violates a requirement.")
+        seen = [each for each in run.verdicts if _is_seen(each, page)]
+        formulas = [one_line(each.requirement.id) for each in seen if each.requirement.formula is not None]
         if formulas:
-            also = "which is a formula, shades" if len(formulas) == 1 else "which are formulas, shade"
-            parts.append(f"{joined(formulas)}, {also} what is to blame.")
+            is_one = len(formulas) == 1
+            kind = "which is a formula, has" if is_one else "which are formulas, have"
+            parts.append(f"{joined(formulas)}, {kind} no band.")
+        if any(each.violation for each in seen):
+            parts.append(
+                "A shaded stretch with a bar at its upper edge violates a requirement"
+                + (", of a formula the first that does, in what is to blame." if formulas else ".")
+            )
     if any(not record.active.all() for record in run.trace.fuzzy.values()):
         parts.append("Hatching at the foot of an output: no rule is active.")
     if marks_of(run.trace):

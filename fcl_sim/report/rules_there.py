@@ -6,18 +6,19 @@ from dataclasses import replace
 import numpy as np
 
 from fcl_sim.judge.verdict import Status, Verdict
-from fcl_sim.loop.diagram import FuzzyNode
+from fcl_sim.loop.diagram import Diagram, FuzzyNode
+from fcl_sim.loop.settings import signals_of
 from fcl_sim.model import Rule
 from fcl_sim.report.bands import Missed
 from fcl_sim.report.provenance import fuzzy_nodes
 from fcl_sim.report.violations import merged, violations
-from fcl_sim.report.words import joined, number, one_line, together, with_unit
+from fcl_sim.report.words import NO_BREAK, joined, number, one_line, together, with_unit
 from fcl_sim.testbench import Outcome, Run
 
 MOST = 4
 """Rules that are named, those of the largest degrees; of more, how many there are."""
 
-MOST_ROWS = 4
+MOST_ROWS = 6
 """Requirements that have a bar of their own where they are violated, of those to be met and of the others."""
 
 WEAK = 0.02
@@ -35,6 +36,11 @@ def first_miss(run: Run) -> Verdict | None:
 def is_at_fault(run: Run) -> bool:
     """Return whether a run misses a requirement that it is to meet."""
     return any(map(_is_missed, run.verdicts))
+
+
+def is_timeless(verdict: Verdict) -> bool:
+    """Return whether a requirement is missed, and at no time of its own, as an integral is."""
+    return verdict.measured is Status.FAIL and verdict.violation is None
 
 
 def missed_when(run: Run) -> list[Missed]:
@@ -70,8 +76,9 @@ def rules_there(run: Run, verdict: Verdict) -> str:
     """Return what rules fire where a requirement is first violated, and what they give; else nothing.
 
     They need not be to blame: what a rule does takes its time through the plant.
+    Nothing is said of rules that the plant does not hear of.
     """
-    nodes = fuzzy_nodes(run)
+    nodes = [each for each in fuzzy_nodes(run) if each.name in driving(run.diagram)]
     if verdict.violation is None or not nodes or not len(run.trace.ticks):
         return ""
     sample = sample_at(run, verdict.violation[0])
@@ -80,11 +87,32 @@ def rules_there(run: Run, verdict: Verdict) -> str:
     return together(f"At {at} {'; '.join(told)}.")
 
 
+def driving(diagram: Diagram) -> set[str]:
+    """Return the names of the blocks that the plant's inputs depend on, at whatever distance."""
+    by_signal = {name: node for node in diagram.nodes for name in signals_of(node)}
+    waiting = list(diagram.plant.inputs.values())
+    seen: set[str] = set()
+    found: set[str] = set()
+    while waiting:
+        name = waiting.pop().source
+        if name in seen:
+            continue
+        seen.add(name)
+        if name in diagram.aliases:
+            waiting.append(diagram.aliases[name])
+        elif name in by_signal:
+            found.add(by_signal[name].name)
+            waiting += by_signal[name].inputs.values()
+    return found
+
+
 def _rules(run: Run, node: FuzzyNode, sample: int, *, alone: bool) -> str:
     record = run.trace.fuzzy[node.name]
     degrees = record.degrees[sample]
     order = [rule for rule in np.argsort(-degrees, kind="stable").tolist() if degrees[rule] > 0.0]
     told = [rule for rule in order if degrees[rule] >= WEAK * degrees[order[0]]][:MOST]
+    if len(order) == len(told) + 1:
+        told = order  # its name takes no more room than that there is one
     of_block = [each for block in node.block.function_block.rule_blocks for each in block.rules]
     named = [_rule(record.rule_labels[each], of_block[each], float(degrees[each])) for each in told]
     more = [f"{len(order) - len(told)} more"] if len(order) > len(told) else []
@@ -94,7 +122,8 @@ def _rules(run: Run, node: FuzzyNode, sample: int, *, alone: bool) -> str:
     values = zip(record.output_names, record.outputs[sample].tolist(), strict=True)
     unit_of = {name.casefold(): unit for name, unit in node.units.items()}
     given = [
-        f"{one_line(name)} = {with_unit(value, unit_of.get(name.casefold(), ''))}" for name, value in values
+        f"{one_line(name)}{NO_BREAK}={NO_BREAK}{with_unit(value, unit_of.get(name.casefold(), ''))}"
+        for name, value in values
     ]
     return ", ".join([fired if named else f"no rule{of} fires", *given[:MOST_OUTPUTS]])
 

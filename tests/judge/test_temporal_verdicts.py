@@ -208,6 +208,14 @@ def test_what_a_formula_waits_for_is_not_told_as_what_decides_a_miss():
     assert (found.value, found.blamed) == (-1.0, ("x",))
 
 
+def test_the_margin_of_a_miss_is_told_where_it_is_missed():
+    found = verdict(sways(0, 7, 0, 0, 7), "within 3 s crane.sway < 5 deg for good")
+    assert found.reason == (
+        "The formula does not hold, by a margin of -2 deg, that of `crane.sway < 5 deg` at 4 s, "
+        "first violated at 4 s."
+    )
+
+
 def test_comparisons_in_several_units_have_a_margin_and_no_value():
     found = verdict(sways(0, 1), "always (crane.sway < 5 deg and crane.distance < 1 m)")
     assert (found.status, found.value) == (Status.PASS, None)

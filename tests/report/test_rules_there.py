@@ -7,11 +7,12 @@ import pytest
 
 from fcl_sim.block import loads
 from fcl_sim.judge.verdict import Status
+from fcl_sim.loop.diagram import Node, Wire
 from fcl_sim.report import activation
 from fcl_sim.report.activation import telling_runs
 from fcl_sim.report.canvas import Shape, Text
 from fcl_sim.report.rule_bases import rule_bases
-from fcl_sim.report.rules_there import first_miss, missed_when, misses, rules_there
+from fcl_sim.report.rules_there import driving, first_miss, missed_when, misses, rules_there
 from fcl_sim.report.telling import Miss, step_by_step
 from fcl_sim.report.words import NO_BREAK
 from tests.report.synthetic import ONE_INPUT, crane, of_all_rules, outcome, run, trace, verdict
@@ -66,6 +67,30 @@ def test_what_hardly_fires_beside_the_strongest_is_counted_and_not_named(missing
     assert "rules 2 → pos_high (0.9) and 2 more fire" in told(missing([0.001, 0.9, 0.002, 0, 0, 0]))
 
 
+def test_a_lone_further_rule_is_named_for_it_takes_no_more_room_than_to_count_it(missing):
+    assert "rules 2 → pos_high (0.9) and 1 → pos_medium (0.001) fire" in told(
+        missing([0.001, 0.9, 0, 0, 0, 0])
+    )
+
+
+def test_nothing_is_said_of_rules_that_the_plant_does_not_hear_of(missing):
+    made = missing([1.0] * 6)
+    cut_off = replace(made.diagram.plant, inputs={"power": Wire("crane.distance")})
+    assert told(replace(made, diagram=replace(made.diagram, plant=cut_off))) == ""
+
+
+def test_rules_drive_the_plant_through_aliases_and_other_blocks(missing):
+    diagram = missing([1.0] * 6).diagram
+    gain = Node(name="gain", type="gain", inputs={"input": Wire("power")}, parameters={})
+    plant = replace(diagram.plant, inputs={"power": Wire("out")})
+    aliases = {"out": Wire("gain"), "power": Wire("controller.rules.power")}
+    nodes = (*diagram.nodes, gain, replace(gain, name="beside"))
+    assert driving(replace(diagram, nodes=nodes, plant=plant, aliases=aliases)) == {
+        "controller.rules",
+        "gain",
+    }
+
+
 def test_what_is_met_or_has_no_time_says_nothing(missing):
     met = missing([1.0] * 6, verdicts=(verdict(),))
     timeless = missing([1.0] * 6, verdicts=(replace(verdict(Status.FAIL, None), violation=None),))
@@ -97,6 +122,12 @@ def test_a_requirement_that_several_runs_miss_is_told_once_with_their_names(miss
     (line,) = misses([outcome(tmp_path, *runs)])
     assert line.startswith("crane/transfer base, CR-1: ")
     assert line.endswith(" light and heavy miss it, too.")
+
+
+def test_a_miss_that_has_no_time_is_told_with_the_chart(missing):
+    timeless = replace(verdict(Status.FAIL, 3.0, id="IAE-1"), violation=None)
+    made = missing([1.0] * 6, verdicts=(timeless,))
+    assert "Missed as a whole, at no time of its own: IAE-1." in activation.over_time(made)[0].caption
 
 
 def test_the_first_of_several_misses_is_the_first_in_time(missing):
@@ -133,13 +164,13 @@ def test_a_bar_stands_above_the_rules_over_each_stretch_that_is_violated(missing
 def test_each_requirement_has_a_row_those_to_be_met_first_and_of_many_the_last_share_one(missing):
     found = [
         replace(verdict(Status.FAIL, None, id=f"R-{each}", expect_fail=each % 2 == 0), band=None)
-        for each in range(12)
+        for each in range(18)
     ]
     rows = missed_when(missing([1.0] * 6, verdicts=tuple(found)))
     told = [(each.label, each.is_meant) for each in rows]
     assert told == [
-        *[(name, False) for name in ("R-1", "R-3", "R-5", "3 more")],
-        *[(name, True) for name in ("R-0", "R-2", "R-4", "3 more")],
+        *[(name, False) for name in ("R-1", "R-3", "R-5", "R-7", "R-9", "4 more")],
+        *[(name, True) for name in ("R-0", "R-2", "R-4", "R-6", "R-8", "4 more")],
     ]
 
 

@@ -104,7 +104,12 @@ def test_a_signal_with_narrow_bounds_is_looked_at_closely():
 )
 def test_only_narrow_bounds_on_both_sides_ask_for_a_closer_look(low, high, close):
     band = Band(signal="x", low=low, high=high, start=0.0, end=1.0)
-    assert (focus_on({band: ["R"]}, np.linspace(0.0, 25.0, 9)) is not None) == close
+    assert (focus_on([band], np.linspace(0.0, 25.0, 9)) is not None) == close
+
+
+def test_the_closer_look_is_at_what_is_narrow_whatever_wide_bounds_there_are():
+    bands = [Band(signal="x", low=-each, high=each, start=0.0, end=1.0) for each in (0.1, 0.5, 9.0)]
+    assert focus_on(bands, np.linspace(0.0, 25.0, 9)) == pytest.approx((-1.1, 1.1))
 
 
 def test_of_a_signal_at_rest_a_bound_is_shown_though_its_last_digit_moves():
@@ -115,7 +120,7 @@ def test_of_a_signal_at_rest_a_bound_is_shown_though_its_last_digit_moves():
 @pytest.mark.filterwarnings("error")
 def test_a_signal_that_spans_more_than_a_number_holds_is_looked_at_closely():
     band = Band(signal="x", low=-0.5, high=0.5, start=0.0, end=1.0)
-    assert focus_on({band: ["R"]}, np.array([-1.5e308, 1.5e308])) is not None
+    assert focus_on([band], np.array([-1.5e308, 1.5e308])) is not None
 
 
 SERIES = st.lists(st.one_of(st.floats(-1e9, 1e9), st.just(float("nan"))), min_size=1, max_size=400)
@@ -189,7 +194,8 @@ def test_the_caption_explains_what_is_shaded_and_names_formulas(violated, tmp_pa
     judged = of_formula("crane.distance < 5 m", Status.FAIL if violated else Status.PASS)
     (picture,) = over_time(replace(run(tmp_path), verdicts=(judged,)))
     assert ("A shaded stretch with a bar" in picture.caption) == violated
-    assert ("CR-6, which is a formula, shades what is to blame." in picture.caption) == violated
+    assert "CR-6, which is a formula, has no band." in picture.caption
+    assert ("of a formula the first that does, in what is to blame." in picture.caption) == violated
 
 
 @pytest.mark.parametrize("at", [30.0, 0.0, 60.0])

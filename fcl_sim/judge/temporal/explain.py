@@ -81,12 +81,21 @@ def untested(found: list[Look]) -> Junction | None:
     return None
 
 
-def deciding(found: list[Look], robustness: float) -> tuple[Comparison, int] | None:
-    """Return the comparison, and its first scan, whose margin is the robustness of the whole."""
+def deciding(
+    found: list[Look], robustness: float, within: tuple[int, int] | None = None
+) -> tuple[Comparison, int] | None:
+    """Return the comparison, and its first scan, whose margin is the robustness of the whole.
+
+    Of several scans that is the first `within` a stretch, from its first to its last, if any is.
+    """
+    first: tuple[Comparison, int] | None = None
     for look in found:
         node = look.course.node
         if isinstance(node, Comparison):
             here = np.flatnonzero(look.where & (np.abs(look.course.rows[0]) == abs(robustness)))
-            if len(here):
-                return node, int(here[0])
-    return None
+            inside = here[(here >= within[0]) & (here <= within[1])] if within else here
+            if len(inside):
+                return node, int(inside[0])
+            if len(here) and first is None:
+                first = node, int(here[0])
+    return first

@@ -77,6 +77,6 @@ def _decided(
     return Judgement(
         truth=truth,
         robustness=robustness + 0.0,
-        decided_by=explain.deciding(found, robustness),
+        decided_by=explain.deciding(found, robustness, where),
         violation=where,
     )

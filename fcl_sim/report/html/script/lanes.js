@@ -124,13 +124,11 @@ class Lane {
     return path;
   }
 
-  /** Return what is allowed in a stretch of time; at an instant it stands for itself, whatever is around it. */
+  /** Return what is allowed in a stretch of time. */
   area(band) {
     const top = band.high === null ? -1e6 : this.down(band.high);
     const foot = band.low === null ? 1e6 : this.down(band.low);
-    const blank = band.from === band.to ? svg("rect", { class: "blank", y: -1e6, height: 2e6 }) : null;
-    const area = svg("rect", { class: "area", y: top, height: Math.max(foot - top, 0) });
-    return { told: band, area: svg("g", {}, blank, area) };
+    return { told: band, area: svg("rect", { class: "area", y: top, height: Math.max(foot - top, 0) }) };
   }
 
   bounds(band) {
@@ -150,10 +148,8 @@ class Lane {
   widen(window) {
     for (const { told, area } of this.allowed) {
       const [left, right] = this.seen(told, window).map((time) => this.across(time));
-      for (const each of area.children) {
-        each.setAttribute("x", left);
-        each.setAttribute("width", Math.max(right - left, 0));
-      }
+      area.setAttribute("x", left);
+      area.setAttribute("width", Math.max(right - left, 0));
     }
     for (const { told, at, edges } of this.bands) {
       const [left, right] = this.seen(told, window).map((time) => this.across(time));
