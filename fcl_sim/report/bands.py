@@ -61,6 +61,8 @@ def focus_on(bands: Iterable[Band], values: Values) -> tuple[float, float] | Non
     if not narrow:
         return None
     low, high = min(each[0] for each in narrow), max(each[1] for each in narrow)
+    if not NARROW * (high - low) < far:
+        return None  # narrow ones here and there
     return low - 0.6 * (high - low), high + 0.6 * (high - low)
 
 

@@ -112,6 +112,11 @@ def test_the_closer_look_is_at_what_is_narrow_whatever_wide_bounds_there_are():
     assert focus_on(bands, np.linspace(0.0, 25.0, 9)) == pytest.approx((-1.1, 1.1))
 
 
+def test_narrow_bounds_here_and_there_have_no_closer_look():
+    bands = [Band(signal="x", low=each, high=each + 0.1, start=0.0, end=1.0) for each in (2.0, 9.0, 20.0)]
+    assert focus_on(bands, np.linspace(0.0, 25.0, 9)) is None
+
+
 def test_of_a_signal_at_rest_a_bound_is_shown_though_its_last_digit_moves():
     for high in (20.0, math.nextafter(20.0, 30.0)):
         assert worth_showing(22.0, 20.0, high)
