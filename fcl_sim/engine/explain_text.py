@@ -127,5 +127,6 @@ def defuzzification_formula(each: Defuzzified, accumulated: Accumulated) -> str:
         if degree.degree > 0.0
     ]
     moments = " + ".join(f"{number(place)} · {number(degree)}" for place, degree in pairs)
+    moments = moments.replace("+ -", "- ")
     degrees = " + ".join(number(degree) for _, degree in pairs)
     return f"({moments}) / ({degrees}) = {value}  ({each.method})"

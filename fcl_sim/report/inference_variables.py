@@ -35,6 +35,8 @@ HALF = (style.WIDTH - BETWEEN) / 2.0
 HIGH, HIGHER = 15.0, 20.0
 """Height of the axes of inputs and of outputs in mm."""
 AFTER = 2.0
+HEIGHTS, CLEAR = (0.5, 0.7, 0.88), 0.13
+"""Where the result may be written, and what lies between it and the stems below it, in parts of the axes."""
 DEGREES = (Tick(0.0, "0"), Tick(0.5, "0.5"), Tick(1.0, "1"))
 BAR = 40.0
 TINY = 2.0
@@ -216,7 +218,23 @@ def _draw_result(axes: Axes, each: Output) -> None:
     origin = "" if result.origin is Origin.RULES else f" ({result.origin})"
     text = f"{with_unit(result.value, each.unit)}{origin}"
     at, align = _beside(axes, each, text)
-    axes.add(Text(at, 0.5, text, across=align, up="center", backed=0.2, z=6, parts=True))
+    up = _above_stems(axes, each, text, (at, align))
+    axes.add(Text(at, up, text, across=align, up="center", backed=0.2, z=6, parts=True))
+
+
+def _above_stems(axes: Axes, each: Output, text: str, spot: tuple[float, Across]) -> float:
+    """Return how high the result is written, in parts of the axes: above the stems that it would hide."""
+    at, align = spot
+    width = lettering.text_width(text) / axes.width
+    left = at if align == "left" else at - width
+    degrees = [told.degree for told in each.accumulated.degrees]
+    hidden = [
+        degree / axes.y[1]
+        for term, degree in zip(each.terms, degrees, strict=False)
+        if isinstance(term.shape, Singleton)
+        and left <= (float(term.shape.value) - each.low) / (each.high - each.low) <= left + width
+    ]
+    return next((up for up in HEIGHTS if all(top < up - CLEAR for top in hidden)), HEIGHTS[0])
 
 
 def _beside(axes: Axes, each: Output, text: str) -> tuple[float, Across]:

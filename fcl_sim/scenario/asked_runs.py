@@ -45,7 +45,7 @@ def run_faults(entry: Entry, variants: Sequence[str], asked: AbstractSet[str]) -
     They are named and do not exist, or are named though nothing is asked of
     them; or none is left of those that are `asked`, as no run is held against itself.
     """
-    runs = entry.get(RUNS)
+    runs, relative = entry.get(RUNS), entry.get("relative_to", "variant")
     for each in runs.items if runs else ():
         if isinstance(each.value, str) and each.value not in variants:
             yield _unknown_run(each.value, each, variants)
@@ -57,6 +57,9 @@ def run_faults(entry: Entry, variants: Sequence[str], asked: AbstractSet[str]) -
             elif name not in asked:
                 message = f"`{key}` names the run `{name}`, of which this is not asked"
                 yield finding("SCN406", message, each.key, f"leave it out, or name it in `{RUNS}`, too")
+            elif relative is not None and name == relative.value:
+                message = f"`{key}` names the run `{name}`, to which this is relative"
+                yield finding("SCN406", message, each.key, "leave it out: no run is held against itself")
     yield from _relative_faults(entry, variants, asked)
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fcl_sim.block import load
+from fcl_sim.block import load, loads
 from fcl_sim.engine.assemble import assemble
 from fcl_sim.engine.explain import Activated, Explanation, Origin
 from fcl_sim.engine.instance import Instance
@@ -18,9 +18,10 @@ from fcl_sim.report.canvas import Dot, Line, Shape, Text
 from fcl_sim.report.inference import PAGE, draw, picture, pictures
 from fcl_sim.report.inference_rules import LINES
 from fcl_sim.report.inference_shapes import activated_line, line_over
+from fcl_sim.report.lettering import text_width
 from fcl_sim.report.strips import Strip, parted
 from fcl_sim.report.vector import svg
-from fcl_sim.report.words import number
+from fcl_sim.report.words import number, with_unit
 from tests.report.inferences import grid, long_inputs, long_names, nested, three, tip
 from tests.report.legible import clashes, cut, texts
 from tests.report.synthetic import EVIL, LONG, crane
@@ -378,3 +379,28 @@ def test_no_label_of_the_oven_is_cut_though_its_rules_have_four_inputs():
     figure = draw(block.function_block, explanation, {})
     assert not [each for each in written(figure) if "…" in each]
     assert clashes(figure) == []
+
+
+CLOSE_STEMS = """FUNCTION_BLOCK close
+VAR_INPUT x: REAL; END_VAR
+VAR_OUTPUT y: REAL; END_VAR
+FUZZIFY x TERM a := (0, 1) (1, 0); TERM b := (0, 0) (1, 1) (2, 0); TERM c := (1, 0) (2, 1); END_FUZZIFY
+DEFUZZIFY y TERM a := 1.0; TERM b := 1.4; TERM c := 9.0; METHOD: CoGS; DEFAULT := 0; END_DEFUZZIFY
+RULEBLOCK r AND: MIN; ACCU: MAX;
+RULE 1: IF x IS a THEN y IS a; RULE 2: IF x IS b THEN y IS b; RULE 3: IF x IS c THEN y IS c;
+END_RULEBLOCK
+END_FUNCTION_BLOCK"""
+
+
+@given(st.floats(0.0, 0.99))
+def test_the_result_hides_no_end_of_a_stem(x):
+    figure, explanation = drawn(loads(CLOSE_STEMS), x=x)
+    (axes,) = axes_of(figure, "output y")
+    value = with_unit(explanation.defuzzified[0].value, "")
+    (told,) = [each for each in axes.of(Text) if each.backed == 0.2 and each.text == value]
+    width, half = text_width(told.text) / axes.width, 1.3 / axes.height
+    left = told.x if told.across == "left" else told.x - width
+    for place, degree in zip((1.0, 1.4, 9.0), explanation.accumulated[0].degrees, strict=True):
+        across = (place - axes.x[0]) / (axes.x[1] - axes.x[0])
+        if degree.degree > 0.0 and left <= across <= left + width:
+            assert abs(degree.degree / axes.y[1] - told.y) > half

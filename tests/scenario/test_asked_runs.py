@@ -71,6 +71,14 @@ def test_it_is_shown_where_it_is_not_all(bench):
     assert "\n    asked of: base, raw_distance\n    expected to fail: raw_distance\n" in told
 
 
+def test_nothing_more_can_be_said_of_the_run_that_a_requirement_is_relative_to(bench):
+    beside = 'relative_to = { variant = "base", as = "ratio" }\nmax = 2.0'
+    bench.edit("transfer.toml", (FIRST, f'\n{beside}\nexpect = {{ base = "fail" }}\n'))
+    told = bench.fault()
+    assert "SCN406]: `expect` names the run `base`, to which this is relative" in told
+    assert "leave it out: no run is held against itself" in told
+
+
 LIST = 'runs = ["base", "light"]'
 SLIPS = [
     ('runs = ["raw_distence"]', "", "SCN405]: there is no variant called `raw_distence`", "`raw_distance`?"),
