@@ -76,7 +76,7 @@ def test_of_several_scenarios_each_run_is_a_line_and_what_is_not_green_is_told(i
     row, how = [line for line in brief if "S-1" in line]
     assert row.startswith("crane/other")
     assert how.startswith("crane/other base, S-1: The largest magnitude of crane.sway is ")
-    assert re.search(r"first violated from 0\.\d+ s to .* At 0\.\d+\ss rules? .* power = ", how)
+    assert re.search(r"first violated from 0\.\d+ s to .* At 0\.\d+\ss rules? .* power\s=\s", how)
     whole = lines(invoke("run", "--no-report", "-v").stdout)
     assert [line.split()[-1] for line in whole if " S-1 " in line] == ["FAIL", "PASS"]
 
