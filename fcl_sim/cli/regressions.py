@@ -14,8 +14,8 @@ from fcl_sim.scenario.document import shown
 from fcl_sim.testbench import Outcome
 
 
-def print_regressions(outcomes: Sequence[Outcome]) -> None:
-    """Print each run that leaves its baseline, with what left it, and those that have none."""
+def print_regressions(outcomes: Sequence[Outcome], lost: Sequence[Diagnostic]) -> None:
+    """Print runs that leave their baselines, with what left them, that have none, and that are `lost`."""
     for outcome in outcomes:
         before: baselines.Told = {}
         for run in outcome.variants.values():
@@ -31,8 +31,8 @@ def print_regressions(outcomes: Sequence[Outcome]) -> None:
         if missing or any(list(baselines.lines(run)) for run in outcome.variants.values()):
             file = shlex.quote(shown(outcome.scenario.path))
             click.echo(f'  If that is meant: fcl-sim baseline update {file} --reason "..."')
-    for lost in lost_runs(outcomes):
-        click.echo(f"\n{told_lost(lost)}")
+    for each in lost:
+        click.echo(f"\n{told_lost(each)}")
     told_all = baselines.sentence(outcomes)
     if told_all:
         click.echo(told_all)
@@ -49,14 +49,14 @@ def told_lost(lost: Diagnostic) -> str:
     return f"{lost.places[0].name} {lost.message.removeprefix('this ')}.\n  {mend}"
 
 
-def exit_code(outcomes: Sequence[Outcome]) -> Exit:
+def exit_code(outcomes: Sequence[Outcome], lost: Sequence[Diagnostic] = ()) -> Exit:
     """Return 1 where a requirement is missed or a run broke down, 4 where only baselines are not kept.
 
-    A baseline is not kept either where its run is no more.
+    One whose run is `lost` is not kept either.
     """
     runs = [run for outcome in outcomes for run in outcome.variants.values()]
     if worst([run.verdict for run in runs]) is Status.PASS:
-        return Exit.BASELINE if lost_runs(outcomes) else Exit.GREEN
+        return Exit.BASELINE if lost else Exit.GREEN
     verdicts = [verdict.status for run in runs for verdict in summary.verdicts_of(run)]
     broke_down = any(run.trace.fault is not None for run in runs)
     compared = all(run.compared is not None for run in runs)

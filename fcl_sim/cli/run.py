@@ -141,14 +141,14 @@ def command(  # noqa: PLR0913  an option each
     as_json = form == "json"
     watch = Stopwatch(click.get_current_context().obj)
     outcomes, faults = _simulate(files, overrides, watch)
+    lost = lost_runs(outcomes)
     if older is not None and not faults:
         outcomes = against(outcomes, older)
         watch.lap("the older version")
     if not as_json:
-        _print(outcomes, verbose=verbose)
+        _print(outcomes, lost, verbose=verbose)
         if older is not None:
             print_against(outcomes, older, console())
-    lost = lost_runs(outcomes)
     written = outputs.write(outcomes, [*faults, *lost])
     if faults:
         raise InputFault(faults)  # no report either: it would not say what is missing
@@ -170,7 +170,7 @@ def command(  # noqa: PLR0913  an option each
     for file in written:
         click.echo(f"written: {shown(file)}", err=as_json)
     click.echo(str(watch), err=as_json)
-    code = exit_code(outcomes)
+    code = exit_code(outcomes, lost)
     if code is Exit.GREEN and required and not met(covered, Item(required)):
         return Exit.VERDICT
     return code
@@ -225,7 +225,7 @@ def _is_warm() -> bool:
     return folder is not None and any(folder.iterdir())
 
 
-def _print(outcomes: Sequence[Outcome], *, verbose: bool) -> None:
+def _print(outcomes: Sequence[Outcome], lost: Sequence[Diagnostic], *, verbose: bool) -> None:
     """Print every verdict of one scenario; of several their runs, and what is not green, unless `verbose`."""
     brief = len(outcomes) > 1 and not verbose
     rows, over = list(summary.rows(outcomes)), list(summary.envelope_rows(outcomes))
@@ -246,7 +246,7 @@ def _print(outcomes: Sequence[Outcome], *, verbose: bool) -> None:
         click.echo()
     if outcomes:
         click.echo(summary.sentence(outcomes))
-        print_regressions(outcomes)
+        print_regressions(outcomes, lost)
 
 
 def _print_misses(told: Sequence[str], *, verbose: bool) -> None:

@@ -11,15 +11,12 @@ from fcl_sim.judge.verdict import Band, Corridor
 from fcl_sim.loop.trace import Values
 from fcl_sim.report import lettering, style
 from fcl_sim.report.canvas import Axes, Line, Text, between, rectangle, span
-from fcl_sim.report.ranges import width
+from fcl_sim.report.ranges import NOISE, moves, width
 from fcl_sim.report.violations import Interval
 from fcl_sim.report.words import number, one_line
 
 FAR, MISSED_FAR = 1.5, 5.0
 """So many spans outside of the data a bound is named and not drawn; one that is missed, only further away."""
-
-NOISE = 1e-6
-"""A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
 
 NARROW = 8.0
 """Bounds are narrow when the data span so many times their distance."""
@@ -48,7 +45,7 @@ MOST_STRIP = 0.3
 
 def worth_showing(limit: float, low: float, high: float, far: float = FAR) -> bool:
     """Return whether the axis of data from `low` to `high` is stretched by `far` spans to show `limit`."""
-    span = high - low if high - low > NOISE * max(abs(low), abs(high)) else abs(limit)
+    span = high - low if moves(low, high, NOISE) else abs(limit)
     return low - far * span <= limit <= high + far * span
 
 

@@ -8,7 +8,7 @@ from fcl_sim.model import Formula, FunctionBlock, Singleton, Term
 from fcl_sim.report import lettering, style
 from fcl_sim.report.canvas import Across, Axes, Dot, Figure, Line, Text, rectangle
 from fcl_sim.report.frame import Tick, draw_frame, ticks
-from fcl_sim.report.naming import Name, arranged, draw_names, height_of
+from fcl_sim.report.naming import Name, Placed, arranged, draw_names, height_of
 from fcl_sim.report.terms import (
     REACH,
     anchor,
@@ -108,9 +108,9 @@ def membership_plot(shown: Sequence[Panel]) -> Figure:
     Singletons are stems. A bar below an axis is the range that a run visited.
     Terms that are formulae are written below.
     """
-    shown = [replace(panel, terms=[drawn(term, _span(panel)) for term in panel.terms]) for panel in shown]
+    shown = [_as_drawn(panel) for panel in shown]
     named = [arranged(_names(panel), ACROSS) for panel in shown]
-    rooms = [0.0 if panel.bare else height_of(names) for panel, names in zip(shown, named, strict=True)]
+    rooms = [_room(panel, names) for panel, names in zip(shown, named, strict=True)]
     heights = [_height(panel, room) for panel, room in zip(shown, rooms, strict=True)]
     figure = Figure(sum(heights) + (len(shown) - 1) * GAP)
     top = 0.0
@@ -131,15 +131,23 @@ def parted(shown: Sequence[Panel]) -> list[list[Panel]]:
     parts: list[list[Panel]] = [[]]
     height = 0.0
     for panel in shown:
-        terms = [drawn(each, _span(panel)) for each in panel.terms]
-        names = arranged(_names(replace(panel, terms=terms)), ACROSS)
-        needed = _height(panel, 0.0 if panel.bare else height_of(names)) + GAP
+        names = arranged(_names(_as_drawn(panel)), ACROSS)
+        needed = _height(panel, _room(panel, names)) + GAP
         if parts[-1] and (len(parts[-1]) == MOST_PANELS or height + needed > style.TALLEST):
             parts.append([])
             height = 0.0
         parts[-1].append(panel)
         height += needed
     return [part for part in parts if part]
+
+
+def _as_drawn(panel: Panel) -> Panel:
+    return replace(panel, terms=[drawn(term, _span(panel)) for term in panel.terms])
+
+
+def _room(panel: Panel, names: Sequence[Placed]) -> float:
+    """Return the height of the names above an axis in mm; a bare one has none."""
+    return 0.0 if panel.bare else height_of(names)
 
 
 def _height(panel: Panel, names: float) -> float:

@@ -9,10 +9,9 @@ import numpy as np
 from fcl_sim.judge.verdict import Verdict
 from fcl_sim.loop.diagram import FuzzyNode, Node
 from fcl_sim.report import alt
-from fcl_sim.report.bands import NOISE
 from fcl_sim.report.canvas import Figure
 from fcl_sim.report.events import marks_of
-from fcl_sim.report.ranges import width
+from fcl_sim.report.ranges import NOISE, width
 from fcl_sim.report.time_plots import Lane, Shown, lanes, lanes_of, pages, time_plot
 from fcl_sim.report.words import joined, one_line, with_unit
 from fcl_sim.testbench import Outcome, Run

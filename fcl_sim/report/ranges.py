@@ -12,8 +12,11 @@ LARGEST = 1e300
 SMALLEST = 1e-290
 """Numbers that span less are one and the same: below it quotients lose their digits."""
 
-NOISE = 1e-12
+ROUNDING = 1e-12
 """So are those that differ by less than this part of themselves: what another order of sums makes."""
+
+NOISE = 1e-6
+"""A signal that moves by less than this part of its value is at rest: binary32 has no finer steps."""
 
 
 def finite(values: Iterable[Values]) -> Values:
@@ -22,12 +25,12 @@ def finite(values: Iterable[Values]) -> Values:
     return np.clip(np.concatenate(parts) if parts else np.zeros(0), -LARGEST, LARGEST)
 
 
-def moves(low: float, high: float, noise: float = NOISE) -> bool:
+def moves(low: float, high: float, noise: float = ROUNDING) -> bool:
     """Return whether two numbers differ by more than noise, a part of the larger one."""
     return high - low > max(noise * max(abs(low), abs(high)), SMALLEST)
 
 
-def widened(low: float, high: float, part: float, noise: float = NOISE) -> tuple[float, float]:
+def widened(low: float, high: float, part: float, noise: float = ROUNDING) -> tuple[float, float]:
     """Return a range with a `part` of it as room at either end; about one number a tenth of it, or 1."""
     low, high = max(low, -LARGEST), min(high, LARGEST)
     if moves(low, high, noise):

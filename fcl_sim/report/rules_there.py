@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from operator import itemgetter
 
 import numpy as np
 
@@ -29,8 +30,9 @@ MOST_OUTPUTS = 3
 
 def first_miss(run: Run) -> Verdict | None:
     """Return the requirement that a run is the first to violate in time, where that is not expected of it."""
-    found = [each for each in run.verdicts if _is_missed(each) and each.violation is not None]
-    return min(found, key=lambda each: (each.violation or (np.inf,))[0], default=None)
+    missed = [each for each in run.verdicts if _is_missed(each)]
+    found = [(each.violation[0], each) for each in missed if each.violation is not None]
+    return min(found, key=itemgetter(0))[1] if found else None
 
 
 def is_at_fault(run: Run) -> bool:
@@ -78,8 +80,11 @@ def rules_there(run: Run, verdict: Verdict) -> str:
     They need not be to blame: what a rule does takes its time through the plant.
     Nothing is said of rules that the plant does not hear of.
     """
-    nodes = [each for each in fuzzy_nodes(run) if each.name in driving(run.diagram)]
-    if verdict.violation is None or not nodes or not len(run.trace.ticks):
+    if verdict.violation is None or not len(run.trace.ticks):
+        return ""
+    heard = driving(run.diagram)
+    nodes = [each for each in fuzzy_nodes(run) if each.name in heard]
+    if not nodes:
         return ""
     sample = sample_at(run, verdict.violation[0])
     told = [_rules(run, node, sample, alone=len(nodes) == 1) for node in nodes]

@@ -14,7 +14,6 @@ from fcl_sim.report.allowed import of_runs
 from fcl_sim.report.bands import (
     FAR,
     MISSED_FAR,
-    NOISE,
     draw_allowed,
     draw_bounds,
     draw_corridors,
@@ -306,7 +305,7 @@ def _limits(
     for limit, is_missed in limits:
         if limit is not None and worth_showing(limit, low, high, MISSED_FAR if is_missed else FAR):
             low, high = min(low, limit), max(high, limit)
-    return ranges.widened(low, high, 0.08, NOISE)
+    return ranges.widened(low, high, 0.08, ranges.NOISE)
 
 
 def _heading_texts(lane: Lane, runs: Sequence[Shown]) -> tuple[str, str]:

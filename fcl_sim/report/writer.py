@@ -20,12 +20,12 @@ from fcl_sim.report.gather import gathered
 from fcl_sim.report.html import page
 from fcl_sim.report.pictures import Picture
 from fcl_sim.report.vector import svg
+from fcl_sim.scenario.kinds import RESULTS
 from fcl_sim.testbench import Outcome
 from fcl_sim.verify.coverage import Coverage
 
 PDF = "report.pdf"
 HTML = "report.html"
-RESULTS = "results.json"
 DATA = "report.json"
 PAGES = "pages"
 """The folder of the pages as PNG."""
@@ -161,10 +161,10 @@ def _is_same(one: Path, other: Path) -> bool:
 
 def _remove(folder: Path, stale: Sequence[str], pages: str, kept: Sequence[Path]) -> None:
     """Remove what a report before has left, the files `stale` and its pages, but for what is `kept`."""
-    left = [*(folder / name for name in stale), *(folder / pages).glob("[0-9][0-9][0-9]*.png")]
-    for each in left:
-        if each not in kept and (each.parent != folder / pages or each.stem.isdigit()):
-            each.unlink(missing_ok=True)
+    left = {folder / name for name in stale}
+    left |= {each for each in (folder / pages).glob("*.png") if each.stem.isdigit()}
+    for each in left - set(kept):
+        each.unlink(missing_ok=True)
 
 
 BATCH = 8

@@ -8,7 +8,7 @@ import hashlib
 import json
 import os
 import tomllib
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -66,7 +66,7 @@ def read(scenario: Path, variant: str) -> Baseline | None:
         raise _faults(file, error) from error
 
 
-def of_no_run(scenario: Path, variants: Container[str]) -> tuple[Path, ...]:
+def of_no_run(scenario: Path, variants: Collection[str]) -> tuple[Path, ...]:
     """Return the baselines of runs of a scenario that it no longer has: of none of its `variants`.
 
     A file belongs to the scenario and the variant by whose names it would be
@@ -74,12 +74,11 @@ def of_no_run(scenario: Path, variants: Container[str]) -> tuple[Path, ...]:
     scenarios may have dots in their names; what does not say it is no baseline.
     """
     begin = f"{scenario.stem}.".encode()[:LONGEST].decode(errors="ignore")
-    files = sorted((scenario.parent / BASELINES).glob("*.toml"))
+    kept = {path_of(scenario, variant) for variant in variants}
+    files = sorted(set((scenario.parent / BASELINES).glob("*.toml")) - kept)  # of which few are to be read
     named = [(_variant_in(file), file) for file in files if file.name.startswith(begin)]
     return tuple(
-        file
-        for variant, file in named
-        if variant is not None and variant not in variants and path_of(scenario, variant) == file
+        file for variant, file in named if variant is not None and path_of(scenario, variant) == file
     )
 
 

@@ -15,7 +15,8 @@ from fcl_sim.report.canvas import Text
 from fcl_sim.report.content import report_data
 from fcl_sim.report.gather import gathered
 from fcl_sim.report.placed import placed
-from fcl_sim.report.writer import RESULTS, Shelf, write_alone
+from fcl_sim.report.writer import Shelf, write_alone
+from fcl_sim.scenario.kinds import RESULTS
 from tests.report.legible import clashes, cut
 from tests.report.reading import page_words
 from tests.report.synthetic import CRANE, EVIL, LONG, outcome, run, trace, verdict

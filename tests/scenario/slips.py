@@ -3,6 +3,16 @@
 CONTROLLER = "crane.controller.toml"
 TRANSFER = "transfer.toml"
 
+RELATIVE = """
+[[require]]
+id          = "CR-9"
+text        = "It settles about as fast as with the usual load."
+metric      = { settling_time = { signal = "crane.distance", final = "0 m", band = "0.5 m" } }
+max         = 1.2
+relative_to = { variant = "light_load", as = "ratio" }
+"""
+"""A requirement that is relative to another run."""
+
 SLIPS = [
     (
         "a key that nobody reads",

@@ -6,6 +6,7 @@ from fcl_sim.judge.verdict import Over
 from fcl_sim.scenario.asked_runs import asked_of
 from fcl_sim.scenario.show import show_scenario
 from fcl_sim.testbench import run
+from tests.scenario.slips import RELATIVE
 
 FIRST = """
 max    = "35 s"
@@ -109,20 +110,12 @@ def test_a_slip_is_told_where_it_stands_with_its_mend(bench, asked, more, messag
     assert "transfer.toml:50:" in told or "transfer.toml:51:" in told
 
 
-RATIO = """
-[[require]]
-id          = "CR-9"
-text        = "It settles about as fast as with the usual load."
-metric      = { settling_time = { signal = "crane.distance", final = "0 m", band = "0.5 m" } }
-max         = 1.2
-relative_to = { variant = "light_load", as = "ratio" }
-"""
 END = """light_load = "fail", double_scan = "fail" }
 """
 
 
 def test_a_requirement_that_is_relative_to_the_one_run_it_names_is_asked_of_none(bench):
-    bench.edit("transfer.toml", (END, f'{END}{RATIO}runs = ["light_load"]'))
+    bench.edit("transfer.toml", (END, f'{END}{RELATIVE}runs = ["light_load"]'))
     told = bench.fault()
     assert "SCN406]: CR-9 is asked of the run `light_load` alone and relative to it" in told
     assert "asked of no run" in told
@@ -138,7 +131,7 @@ def test_so_is_one_that_is_relative_to_the_only_run_there_is(written):
 
 
 def test_relative_to_one_of_the_runs_it_names_it_is_asked_of_the_others(bench):
-    bench.edit("transfer.toml", (END, f'{END}{RATIO}runs = ["light_load", "base"]'))
+    bench.edit("transfer.toml", (END, f'{END}{RELATIVE}runs = ["light_load", "base"]'))
     scenario = bench.read()
     assert {name for name in scenario.variants if "CR-9" in ids(scenario, name)} == {"base"}
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.scenario.slips import CONTROLLER, SLIPS, TRANSFER
+from tests.scenario.slips import CONTROLLER, RELATIVE, SLIPS, TRANSFER
 
 
 @pytest.mark.parametrize(
@@ -74,16 +74,6 @@ def test_a_misspelled_input_of_a_plant_is_shown_where_it_is_misspelled(bench):
     _, excerpt, caret, hint, *_ = told[told.index(": error[WIR104]") :].splitlines()
     assert excerpt[caret.index("^") : caret.rindex("^") + 1] == "powr"
     assert hint == "  hint: did you mean `power`?"
-
-
-RELATIVE = """
-[[require]]
-id          = "CR-9"
-text        = "It settles about as fast as with the usual load."
-metric      = { settling_time = { signal = "crane.distance", final = "0 m", band = "0.5 m" } }
-max         = 1.2
-relative_to = { variant = "light_load", as = "ratio" }
-"""
 
 
 def test_a_unit_of_a_ratio_is_told_of_the_ratio(bench):
