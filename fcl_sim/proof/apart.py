@@ -195,9 +195,8 @@ class _Comparer:
         values = []
         for block in self._blocks:
             own = {name.casefold(): each for name, each in block.evaluate(columns).items()}
-            values.append(
-                np.broadcast_to(own[self._output.casefold()], len(points))
-            )  # of no inputs it is one
+            found = own[self._output.casefold()]
+            values.append(np.broadcast_to(found, len(points)))  # of no inputs it is one
         return values[0], values[1], np.abs(values[1] - values[0])
 
     def _most(self, boxes: Boxes) -> Values:

@@ -46,6 +46,7 @@ def scenario_data(outcome: Outcome, pack: Pack) -> Json:
 
 
 def _lane(lane: Lane, views: Sequence[Shown]) -> Json:
+    missed = missed_bands(views)
     return {
         "signal": lane.signal,
         "names": [one_line(name) for name in lane.names],
@@ -53,7 +54,7 @@ def _lane(lane: Lane, views: Sequence[Shown]) -> Json:
         "judged": lane.judged,
         "focus": lane.focus,
         "allowed": [_stretch(each) for each in of_runs([list(bands_of(lane, [view])) for view in views])],
-        "bands": [_band(*each, missed_bands(views)) for each in bands_of(lane, views).items()],
+        "bands": [_band(*each, missed) for each in bands_of(lane, views).items()],
         "corridors": [_corridor(each) for each in corridors_of(lane, views)],
     }
 
